@@ -1,0 +1,33 @@
+// Every tolerance of the project, named here with its reason, and the robust predicates they go with.
+// Lengths are relative: multiply by the mean edge length (or the face's size) of the mesh at hand.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+namespace netwright {
+
+/// A net has no overlap deeper than this, in mean edge lengths (depth = least distance one face must move to
+/// come free). `verify` decides by it. Six orders above rounding (about 1e-15), nine below anything paper shows.
+inline constexpr double kProofDepth = 1e-9;
+
+/// The search counts an overlap from this depth on, in mean edges: well below kProofDepth, so that no net it
+/// claims sits on the proof's edge (sqrt 2 of slack in its test and the merging of fold vertices included), and
+/// well above the 1e-13 that rounding and the input's own last digits put between faces that only touch.
+inline constexpr double kSolveDepth = 2e-10;
+
+/// A face is flat when no corner is off its best plane by more than this share of the face's size.
+inline constexpr double kFlatness = 5e-4;
+
+/// Folds bent by less than this (radians, one degree) are not drawn: they cannot be felt on paper.
+inline constexpr double kFlatFold = 0.017453292519943295;
+
+/// A face whose height is below this share of its longest side has no area to speak of: it is degenerate,
+/// cannot be cut out and would make its own frame meaningless.
+inline constexpr double kDegenerateHeight = 1e-9;
+
+/// Sign of the area of the triangle a b c, exact for every finite double: +1 counter-clockwise, -1 clockwise,
+/// 0 collinear. (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: the filtered determinant,
+/// then an exact expansion.)
+int orientation(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c);
+
+}  // namespace netwright

@@ -1,0 +1,30 @@
+// What is wrong with or noteworthy about a model, as a value that window, command line and tests print alike.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace netwright {
+
+struct MeshReport {
+  struct Line {
+    enum class Kind { Fact, Notice, Problem };  ///< a Problem keeps the model from being unfolded
+    Kind kind = Kind::Fact;
+    std::string text;                           ///< a whole sentence or "370 faces"
+  };
+  std::vector<Line> lines;
+  int n_faces = 0;
+  int n_vertices = 0;
+  int n_components = 0;
+  int genus = 0;
+  int n_border_edges = 0;
+  int n_border_loops = 0;
+  bool is_closed = false;
+  bool is_manifold = false;        ///< orientable manifold: a Mesh can be made of it
+  int n_uneven_faces = 0;          ///< not flat (kFlatness)
+  double worst_unevenness = 0;     ///< share of the face's size
+  int n_self_intersections = 0;    ///< pairs of faces that cut through each other in space
+  [[nodiscard]] bool is_fit() const { return is_manifold && n_uneven_faces == 0; }
+};
+
+}  // namespace netwright

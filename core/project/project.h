@@ -1,0 +1,46 @@
+// Only what the user made: the model they opened, the tree they accepted, their pins and paper settings. All
+// that can be computed from it is in derived.h. Copying a Project is cheap: the big parts are shared.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/base/paper.h"
+#include "core/mesh/dual_graph.h"
+#include "core/unfold/unfold_tree.h"
+
+namespace netwright {
+
+/// How large the model is printed.
+struct PrintSize {
+  enum class Kind { FitPage, Height };
+  Kind kind = Kind::FitPage;
+  double height_mm = 150;  ///< height of the finished model, for Kind::Height
+  bool operator==(const PrintSize&) const = default;
+};
+
+/// How the accepted tree was found, for the status bar and the printed sheet.
+struct RunSummary {
+  std::uint64_t seed = 0;
+  std::int64_t moves = 0;
+  int restarts = 0;
+  double seconds = 0;
+  int overlaps = 0;
+  bool is_proved = false;
+};
+
+struct Project {
+  std::filesystem::path path;                  ///< the model's file; empty for a bundled sample
+  std::shared_ptr<const DualGraph> dual;       ///< model and dual graph; null in an empty project
+  std::shared_ptr<const UnfoldTree> tree;      ///< the accepted tree, null before the first run
+  std::optional<RunSummary> run;
+  FaceId pinned_root;
+  std::uint64_t seed = 0;
+  PaperSetup paper;
+  PrintSize size;
+};
+
+}  // namespace netwright

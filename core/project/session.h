@@ -1,0 +1,135 @@
+// An open Project with its history, its derived data, its running search and the worker: the one object that
+// the editor's ui and app talk to. Owned by the main thread; nothing here blocks it for more than a few ms.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh_report.h"
+#include "core/project/project.h"
+#include "core/sheet/sheet.h"
+#include "core/solve/solve.h"
+#include "core/unfold/fold.h"
+
+namespace netwright {
+
+enum class RunState {
+  Empty,      ///< no model
+  Opening,    ///< a file is being read
+  Idle,       ///< a model, nothing running
+  Running,    ///< the search is running
+  Paused,     ///< it waits: step or resume
+  Replaying,  ///< it is over and its recorded moves are played back
+};
+
+/// What both views draw: the running search's latest snapshot, or the project's own net. Replaced as a whole.
+struct ShownNet {
+  std::uint64_t version = 0;             ///< changes whenever anything below does
+  Net net;
+  std::vector<Overlap> overlaps;
+  std::vector<bool> is_overlapping;      ///< one per face
+  IdVector<EdgeId, EdgeKind> kinds;
+  std::optional<MoveRecord> last_move;   ///< while stepping or replaying
+  std::vector<FaceId> climbed;           ///< faces on the path climbed by last_move, chosen face first
+  std::vector<EdgeId> candidates;        ///< cuts that the climb could have turned into folds
+  bool is_proved = false;
+};
+
+/// The figures in the status bar, true at the moment of the call.
+struct RunFigures {
+  int faces = 0;
+  int overlaps = 0;
+  int overlaps_at_start = 0;
+  int best_overlaps = 0;
+  std::int64_t moves = 0;
+  double moves_per_second = 0;
+  int restarts = 0;
+  std::uint64_t seed = 0;
+  double seconds = 0;
+  std::vector<int> history;              ///< overlaps over moves, for the chart
+  std::int64_t history_stride = 1;
+};
+
+struct Message {
+  enum class Kind { Good, Notice, Error };
+  Kind kind = Kind::Notice;
+  std::string text;
+  std::uint64_t number = 0;
+};
+
+class Session {
+ public:
+  using Clock = std::function<double()>;  ///< seconds, steady; injected so that tests can turn it
+
+  explicit Session(Clock clock);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Takes in what the worker finished and moves a replay on; call once per frame. True when anything changed.
+  bool poll();
+  /// Called from worker threads when there is something to poll (the window's loop wakes up).
+  void set_wake(std::function<void()> wake);
+
+  // Models. Reading happens on the chores lane; errors arrive as messages, the present model stays.
+  void open(const std::filesystem::path& path);
+  /// Opens a bundled model from memory; `name` tells the format by its extension.
+  void open_bytes(const std::string& name, std::string bytes);
+  /// Bundled companion files (a material library, a picture) that open_bytes may need, by name.
+  [[nodiscard]] bool has_model() const { return project().dual != nullptr; }
+  [[nodiscard]] const MeshReport* report() const;
+
+  [[nodiscard]] RunState state() const;
+  [[nodiscard]] const Project& project() const;
+  [[nodiscard]] std::shared_ptr<const ShownNet> shown() const;  ///< null before the first run
+  [[nodiscard]] RunFigures figures() const;
+  /// Fraction and phase of the chore in hand (reading, exporting), null when there is none.
+  [[nodiscard]] std::shared_ptr<const Progress> chore() const;
+
+  // The search.
+  void unfold();           ///< start, or resume when paused
+  void pause();
+  void step();             ///< one move; starts (paused) when nothing runs
+  void stop();             ///< the best so far stays shown, not accepted unless proved
+  void new_seed();         ///< next seed, runs again
+  void set_seed(std::uint64_t seed);
+  void skip_replay();
+  /// Moves a second for the eyes; infinity = full speed. Takes effect at once.
+  void set_speed(double moves_per_second);
+  [[nodiscard]] double speed() const;
+  /// How many streams search and how long at most (seconds; 0 = no limit).
+  void set_streams(int streams);
+  [[nodiscard]] int streams() const;
+  void set_time_limit(double seconds);
+  [[nodiscard]] double time_limit() const;
+
+  // Edits: each is one undo step with a name.
+  void pin_root(FaceId face);      ///< an invalid face removes the pin
+  void set_paper(const PaperSetup& paper);
+  void set_size(const PrintSize& size);
+  [[nodiscard]] bool can_undo() const;
+  [[nodiscard]] bool can_redo() const;
+  [[nodiscard]] std::string undo_label() const;
+  [[nodiscard]] std::string redo_label() const;
+  void undo();
+  void redo();
+
+  // Printing. Sheets exist only for a proved net; null otherwise.
+  [[nodiscard]] std::shared_ptr<const std::vector<Sheet>> sheets() const;
+  /// Writes by the path's extension on the chores lane; success or failure arrives as a message.
+  void export_to(const std::filesystem::path& path);
+
+  /// Messages since the last call, oldest first.
+  std::vector<Message> take_messages();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace netwright
