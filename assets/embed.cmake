@@ -1,0 +1,35 @@
+# Turns files into one assembler source (.incbin) and one C++ table of names. The assembler copies the bytes, so
+# a megabyte of fonts costs the compiler nothing.
+
+# netwright_embed(TARGET FILES…): a static library with the files, given by their paths from the project's root.
+function(netwright_embed target)
+  set(assembly "  .section .rodata\n")
+  set(symbols "")
+  set(entries "")
+  set(paths "")
+  set(index 0)
+  foreach(name IN LISTS ARGN)
+    set(path "${PROJECT_SOURCE_DIR}/${name}")
+    if(NOT EXISTS "${path}")
+      message(FATAL_ERROR "assets/CMakeLists.txt names ${name}, which does not exist")
+    endif()
+    set(symbol "netwright_asset_${index}")
+    string(APPEND assembly "  .balign 16\n  .globl ${symbol}\n  .globl ${symbol}_end\n${symbol}:\n"
+      "  .incbin \"${path}\"\n${symbol}_end:\n  .byte 0\n")
+    string(APPEND symbols "extern const std::byte ${symbol}[];\nextern const std::byte ${symbol}_end[];\n")
+    string(APPEND entries "    Asset{\"${name}\", {${symbol}, ${symbol}_end}},\n")
+    list(APPEND paths "${path}")
+    math(EXPR index "${index} + 1")
+  endforeach()
+  string(APPEND assembly "  .section .note.GNU-stack,\"\",@progbits\n")
+
+  set(NETWRIGHT_ASSET_SYMBOLS "${symbols}")
+  set(NETWRIGHT_ASSET_ENTRIES "${entries}")
+  set(NETWRIGHT_ASSET_COUNT ${index})
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}")
+  file(CONFIGURE OUTPUT "${folder}/embedded.S" CONTENT "${assembly}" @ONLY)
+  configure_file(assets.cpp.in "${folder}/assets.cpp" @ONLY)
+  set_source_files_properties("${folder}/embedded.S" PROPERTIES OBJECT_DEPENDS "${paths}")
+  add_library(${target} STATIC "${folder}/embedded.S" "${folder}/assets.cpp")
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
+endfunction()
