@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace netwright {
@@ -12,5 +13,9 @@ struct Image {
   std::vector<std::uint8_t> rgba;  ///< 4 * width * height bytes
   [[nodiscard]] bool is_empty() const { return width <= 0 || height <= 0; }
 };
+
+/// Decodes a PNG, JPEG, BMP, TGA or GIF file's bytes; an empty image when they are none of these, are
+/// damaged, or hold more than 64 million pixels.
+Image decode_image(std::string_view bytes);
 
 }  // namespace netwright

@@ -6,11 +6,14 @@
 
 namespace netwright {
 
+class Mesh;
+struct PolygonSoup;
+
 struct MeshReport {
   struct Line {
     enum class Kind { Fact, Notice, Problem };  ///< a Problem keeps the model from being unfolded
     Kind kind = Kind::Fact;
-    std::string text;                           ///< a whole sentence or "370 faces"
+    std::string text;  ///< a whole sentence or "370 faces"
   };
   std::vector<Line> lines;
   int n_faces = 0;
@@ -20,11 +23,18 @@ struct MeshReport {
   int n_border_edges = 0;
   int n_border_loops = 0;
   bool is_closed = false;
-  bool is_manifold = false;        ///< orientable manifold: a Mesh can be made of it
-  int n_uneven_faces = 0;          ///< not flat (kFlatness)
-  double worst_unevenness = 0;     ///< share of the face's size
-  int n_self_intersections = 0;    ///< pairs of faces that cut through each other in space
+  bool is_manifold = false;      ///< orientable manifold: a Mesh can be made of it
+  int n_uneven_faces = 0;        ///< not flat (kFlatness)
+  double worst_unevenness = 0;   ///< share of the face's size
+  int n_self_intersections = 0;  ///< pairs of faces that cut through each other in space
   [[nodiscard]] bool is_fit() const { return is_manifold && n_uneven_faces == 0; }
 };
+
+/// Facts about a mesh (counts, components, genus, borders) and what is noteworthy: uneven faces, faces that
+/// cut through each other.
+MeshReport report_on(const Mesh& mesh);
+
+/// The counts that a soup without a mesh still has, and why there is no mesh.
+MeshReport report_on(const PolygonSoup& soup, const std::string& problem);
 
 }  // namespace netwright
