@@ -10,17 +10,10 @@
 
 #include "core/base/paper.h"
 #include "core/mesh/dual_graph.h"
+#include "core/sheet/pages.h"
 #include "core/unfold/unfold_tree.h"
 
 namespace netwright {
-
-/// How large the model is printed.
-struct PrintSize {
-  enum class Kind { FitPage, Height };
-  Kind kind = Kind::FitPage;
-  double height_mm = 150;  ///< height of the finished model, for Kind::Height
-  bool operator==(const PrintSize&) const = default;
-};
 
 /// How the accepted tree was found, for the status bar and the printed sheet.
 struct RunSummary {

@@ -1,13 +1,15 @@
-// The finished drawing of a page: lists of paths, fills and texts in millimetres, origin at the top left, y down.
-// `draw_sheets` is pure; the writers (PDF, PNG, SVG) and the screen only repeat what stands here.
+// The finished drawing of a page: lists of paths, fills and texts in millimetres, origin at the top left, y
+// down. `draw_sheets` is pure; the writers (PDF, PNG, SVG) and the screen only repeat what stands here.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/base/paper.h"
+#include "core/sheet/pages.h"
 #include "core/unfold/fold.h"
 
 namespace netwright {
@@ -20,8 +22,9 @@ struct Stroke {
   std::vector<glm::dvec2> points;
   bool is_closed = false;
   double width_mm = 0.25;
-  glm::dvec3 colour{0, 0, 0};
-  std::vector<double> dash_mm;   ///< ink, gap, ink, gap …; empty = solid
+  glm::dvec3 colour{0, 0, 0};   ///< sRGB 0…1
+  std::vector<double> dash_mm;  ///< ink, gap, ink, gap …; empty = solid; ends are butt, corners round
+  double dash_phase_mm = 0;     ///< how far into the pattern the first point is
 };
 
 struct Fill {
@@ -30,22 +33,39 @@ struct Fill {
   glm::dvec3 colour{1, 1, 1};
 };
 
+enum class FontWeight { Regular, SemiBold };
+
 struct Text {
   Layer layer = Layer::Print;
-  glm::dvec2 at{0, 0};           ///< start of the baseline
-  std::string words;
-  double size_mm = 2.5;          ///< em size
+  glm::dvec2 at{0, 0};   ///< start of the baseline
+  std::string words;     ///< UTF-8
+  double size_mm = 2.5;  ///< em size
+  FontWeight weight = FontWeight::Regular;
   glm::dvec3 colour{0.2, 0.2, 0.2};
 };
 
+/// Drawn in this order: fills, strokes, texts.
 struct Sheet {
   double width_mm = 210;
   double height_mm = 297;
-  int number = 1;                ///< page n of m
+  int number = 1;  ///< page n of m
   int count = 1;
+  std::string tag;  ///< "A1" of a tiled net, else empty
   std::vector<Fill> fills;
   std::vector<Stroke> strokes;
   std::vector<Text> texts;
 };
+
+/// What the title block says beside the figures of net and layout.
+struct SheetInfo {
+  std::string title;       ///< empty: the model's name
+  bool is_proved = false;  ///< prints the mark "one piece, proved: no overlaps"
+  std::optional<std::uint64_t> seed;
+};
+
+/// One sheet per page of the layout. Outlines are closed polylines in order (open where a tile cuts them),
+/// folds one stroke each with dashes fitted so that both ends carry ink, on tiles in phase with the
+/// neighbouring page.
+std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info);
 
 }  // namespace netwright

@@ -1,0 +1,91 @@
+// Where the pieces lie on paper: the scale, the turn and place of each piece, and the pages that show them. A
+// piece larger than the paper is tiled. All in millimetres, y down, as on the printed page.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/base/paper.h"
+#include "core/unfold/net.h"
+
+namespace netwright {
+
+/// How large the model is printed.
+struct PrintSize {
+  enum class Kind { FitPage, Height };
+  Kind kind = Kind::FitPage;
+  double height_mm = 150;  ///< height of the finished model, for Kind::Height
+  bool operator==(const PrintSize&) const = default;
+};
+
+/// One empty page: its size and what is reserved on it, in mm from its top left corner. The strips never
+/// overlap.
+struct PageFrame {
+  double width_mm = 0;
+  double height_mm = 0;
+  Box2 printable;  ///< the paper without its margins; nothing is drawn outside
+  Box2 header;     ///< title block
+  Box2 footer;     ///< legend, and the ruler where the page is wide enough
+  Box2 side;       ///< upright ruler on narrow pages, empty otherwise
+  Box2 net;        ///< what is left for the net
+  [[nodiscard]] bool is_landscape() const { return width_mm > height_mm; }
+};
+
+struct PageLayout {
+  /// A flat area that pieces lie on, cut into columns x rows of overlapping tiles (1 x 1: it is one page).
+  struct Canvas {
+    double width_mm = 0;
+    double height_mm = 0;
+    int columns = 1;
+    int rows = 1;
+    int first_row_letter = 0;  ///< rows are lettered on over the canvases: 0 = A
+    [[nodiscard]] bool is_tiled() const { return columns * rows > 1; }
+  };
+  /// One printed page: it shows the canvas from `origin` on, in frame.net.
+  struct Page {
+    int canvas = 0;
+    int column = 0;
+    int row = 0;
+    glm::dvec2 origin{0, 0};  ///< canvas point at the top left corner of frame.net
+    std::string tag;          ///< "A1", "B3" …: row and column; empty on a canvas of one page
+  };
+  struct Placement {
+    int canvas = 0;
+    Rigid2 turn;  ///< after scaling, before y is turned down
+  };
+
+  double scale = 1;            ///< mm per model unit
+  double model_height_mm = 0;  ///< what the finished model measures along its up axis
+  PageFrame frame;             ///< of every page
+  double overlap_mm = 10;      ///< between neighbouring tiles
+  std::vector<Placement> pieces;
+  std::vector<Canvas> canvases;
+  std::vector<Page> pages;  ///< in print order; tiles that no face touches are left out
+
+  /// Where a point of the net (model units, y up) lies on the piece's canvas.
+  [[nodiscard]] glm::dvec2 on_canvas(int piece, glm::dvec2 point) const {
+    const Placement& placement = pieces[static_cast<std::size_t>(piece)];
+    const glm::dvec2 turned = placement.turn(point * scale);
+    return {turned.x, -turned.y};
+  }
+  /// From canvas to page.
+  [[nodiscard]] glm::dvec2 on_page(const Page& page, glm::dvec2 on_canvas) const {
+    return on_canvas - page.origin + frame.net.min;
+  }
+};
+
+/// FitPage: everything on one page, turned to the angle that prints largest. Height: true to the height;
+/// several pages where one is too small, pieces larger than a page tiled. Pieces keep 3 mm of distance and
+/// one scale. Throws Error(Usage): unknown paper, margins that leave no room, a model without height, over
+/// 1000 pages.
+PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size);
+
+/// The page of a setup, Auto taken as upright. Throws as arrange does.
+PageFrame page_frame(const PaperSetup& paper);
+
+/// The same net with its pieces side by side instead of on top of each other; one piece is left as it is.
+Net spread_pieces(Net net);
+
+}  // namespace netwright

@@ -1,0 +1,36 @@
+// Exporting: the file's extension picks the writer. Every file appears whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/sheet/sheet.h"
+
+namespace netwright {
+
+struct ExportFormat {
+  std::string_view extension;    ///< lower case with dot: ".pdf"
+  std::string_view description;  ///< for dialogs: "PDF, true to scale"
+};
+
+/// The one table of output formats: dialogs, command line and README show it.
+std::span<const ExportFormat> export_formats();
+
+/// True when the path's extension (case ignored) is in the table.
+bool is_export_format(const std::filesystem::path& path);
+
+/// Draws the net and writes it; returns the files made. PDF and FOLD are one file; PNG (300 dpi) and SVG are
+/// one per page: name.png, or name_1.png, name_2.png … when there are several. Throws Error(Usage) for an
+/// unknown extension, naming the known ones, and Error(Write) when a file cannot be written.
+std::vector<std::filesystem::path> write_drawing(const std::filesystem::path& path, const Net& net,
+                                                 const PageLayout& layout, const SheetInfo& info);
+
+/// The single writers: sheets to bytes. The same sheets give the same bytes.
+std::string pdf_bytes(std::span<const Sheet> sheets, const std::string& title);
+std::string png_bytes(const Sheet& sheet, double dpi = 300);
+std::string svg_bytes(const Sheet& sheet, const std::string& title);
+
+}  // namespace netwright
