@@ -16,8 +16,8 @@ struct Asset {
 /// Everything that is embedded, in the order of assets/CMakeLists.txt.
 std::span<const Asset> assets();
 
-/// The bytes of one embedded file by its path from the project's root; they live as long as the program and a zero
-/// byte follows them. Throws std::out_of_range when no such file is embedded.
+/// The bytes of one embedded file by its path from the project's root; they live as long as the program and a
+/// zero byte follows them. Throws std::out_of_range when no such file is embedded.
 std::span<const std::byte> asset(std::string_view name);
 
 /// The same bytes as text, for shaders and models.
