@@ -8,10 +8,10 @@
 namespace netwright {
 
 enum class ErrorKind {
-  Usage,   ///< the request makes no sense (unknown option, face number out of range)
-  Read,    ///< a file cannot be read or is not what it claims to be
-  Unfit,   ///< the model was read but cannot be unfolded as it is (not manifold, not flat …)
-  Write,   ///< a file cannot be written
+  Usage,  ///< the request makes no sense (unknown option, face number out of range)
+  Read,   ///< a file cannot be read or is not what it claims to be
+  Unfit,  ///< the model was read but cannot be unfolded as it is (not manifold, not flat …)
+  Write,  ///< a file cannot be written
 };
 
 class Error : public std::runtime_error {

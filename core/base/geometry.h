@@ -19,7 +19,9 @@ struct Rigid2 {
   double x = 0;
   double y = 0;
 
-  [[nodiscard]] glm::dvec2 rotate(glm::dvec2 p) const { return {cos * p.x - sin * p.y, sin * p.x + cos * p.y}; }
+  [[nodiscard]] glm::dvec2 rotate(glm::dvec2 p) const {
+    return {cos * p.x - sin * p.y, sin * p.x + cos * p.y};
+  }
   [[nodiscard]] glm::dvec2 operator()(glm::dvec2 p) const {
     return {cos * p.x - sin * p.y + x, sin * p.x + cos * p.y + y};
   }

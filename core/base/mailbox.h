@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -12,11 +13,17 @@ namespace netwright {
 template <class T>
 class Mailbox {
  public:
-  /// Replaces whatever lies in the slot.
+  /// `on_post` is called on the poster's thread after every post, outside the lock; it may be empty.
+  explicit Mailbox(std::function<void()> on_post = {}) : on_post_(std::move(on_post)) {}
+
+  /// Replaces whatever lies in the slot; the old value is released outside the lock.
   void post(std::shared_ptr<const T> value) {
-    const std::lock_guard lock(mutex_);
-    slot_ = std::move(value);
-    ++version_;
+    {
+      const std::lock_guard lock(mutex_);
+      slot_.swap(value);
+      ++version_;
+    }
+    if (on_post_) on_post_();
   }
 
   /// The newest value, or null when nothing came since the last take.
@@ -38,6 +45,7 @@ class Mailbox {
   }
 
  private:
+  const std::function<void()> on_post_;
   mutable std::mutex mutex_;
   std::shared_ptr<const T> slot_;
   std::uint64_t version_ = 0;

@@ -11,7 +11,7 @@ namespace netwright {
 
 struct PaperFormat {
   std::string_view name;
-  double width_mm;   ///< portrait: width <= height
+  double width_mm;  ///< portrait: width <= height
   double height_mm;
 };
 

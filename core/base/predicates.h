@@ -7,12 +7,13 @@
 namespace netwright {
 
 /// A net has no overlap deeper than this, in mean edge lengths (depth = least distance one face must move to
-/// come free). `verify` decides by it. Six orders above rounding (about 1e-15), nine below anything paper shows.
+/// come free). `verify` decides by it. Six orders above rounding (about 1e-15), nine below anything paper
+/// shows.
 inline constexpr double kProofDepth = 1e-9;
 
 /// The search counts an overlap from this depth on, in mean edges: well below kProofDepth, so that no net it
-/// claims sits on the proof's edge (sqrt 2 of slack in its test and the merging of fold vertices included), and
-/// well above the 1e-13 that rounding and the input's own last digits put between faces that only touch.
+/// claims sits on the proof's edge (sqrt 2 of slack in its test and the merging of fold vertices included),
+/// and well above the 1e-13 that rounding and the input's own last digits put between faces that only touch.
 inline constexpr double kSolveDepth = 2e-10;
 
 /// A face is flat when no corner is off its best plane by more than this share of the face's size.
@@ -26,8 +27,8 @@ inline constexpr double kFlatFold = 0.017453292519943295;
 inline constexpr double kDegenerateHeight = 1e-9;
 
 /// Sign of the area of the triangle a b c, exact for every finite double: +1 counter-clockwise, -1 clockwise,
-/// 0 collinear. (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: the filtered determinant,
-/// then an exact expansion.)
+/// 0 collinear. (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: the filtered
+/// determinant, then an exact expansion.)
 int orientation(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c);
 
 }  // namespace netwright

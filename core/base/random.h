@@ -37,9 +37,7 @@ class Random {
   double unit() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
 
   /// Uniform in 0 … n-1; n must be positive and below 2^31.
-  int below(int n) {
-    return static_cast<int>(((bits() >> 32) * static_cast<std::uint64_t>(n)) >> 32);
-  }
+  int below(int n) { return static_cast<int>(((bits() >> 32) * static_cast<std::uint64_t>(n)) >> 32); }
 
  private:
   static std::uint64_t rotate(std::uint64_t x, int k) { return (x << k) | (x >> (64 - k)); }

@@ -1,5 +1,6 @@
 // The dual graph: one node per face, one hinge per interior edge, with the rigid motion that unrolls the
-// neighbour across it into the face's own plane. It also holds every face's flat shape, in a frame of its own.
+// neighbour across it into the face's own plane. It also holds every face's flat shape, in a frame of its
+// own.
 #pragma once
 
 #include <memory>
@@ -33,8 +34,8 @@ class DualGraph {
   /// Average number of neighbours of a face: `val` in the paper's section 4.4.
   [[nodiscard]] double mean_valence() const { return mean_valence_; }
 
-  /// Convex parts of a face as runs of corner indices (0 … degree-1) into the face's corners, counter-clockwise:
-  /// one part for a convex face, several for a concave one. Together they cover the face.
+  /// Convex parts of a face as runs of corner indices (0 … degree-1) into the face's corners,
+  /// counter-clockwise: one part for a convex face, several for a concave one. Together they cover the face.
   [[nodiscard]] int n_parts(FaceId f) const { return part_begin_[f.index() + 1] - part_begin_[f.index()]; }
   [[nodiscard]] std::span<const int> part(FaceId f, int k) const {
     const auto p = static_cast<std::size_t>(part_begin_[f.index()] + k);

@@ -1,5 +1,6 @@
-// An oriented manifold polygon mesh: any face size, any genus, closed or with borders, one or more components.
-// Valid by construction and immutable; shared between threads as shared_ptr<const Mesh>. After it nobody checks.
+// An oriented manifold polygon mesh: any face size, any genus, closed or with borders, one or more
+// components. Valid by construction and immutable; shared between threads as shared_ptr<const Mesh>. After it
+// nobody checks.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -16,12 +17,12 @@ namespace netwright {
 
 class Mesh {
  public:
-  /// Checks everything the class promises and throws Error(Unfit) with one sentence that names the place (face
-  /// and point numbers count from 1, as OBJ files do) and the cure:
-  /// a face with under three corners or a repeated corner, an edge with more than two faces, two faces that run
-  /// the same way along an edge, a point where faces meet in more than one fan, a face without area.
-  /// Faces must be oriented consistently already (see repair.h); points no face uses are dropped.
-  /// `is_flipped[f]` (empty or one per face) says that the soup's face runs against the source file's.
+  /// Checks everything the class promises and throws Error(Unfit) with one sentence that names the place
+  /// (face and point numbers count from 1, as OBJ files do) and the cure: a face with under three corners or
+  /// a repeated corner, an edge with more than two faces, two faces that run the same way along an edge, a
+  /// point where faces meet in more than one fan, a face without area. Faces must be oriented consistently
+  /// already (see repair.h); points no face uses are dropped. `is_flipped[f]` (empty or one per face) says
+  /// that the soup's face runs against the source file's.
   explicit Mesh(const PolygonSoup& soup, const std::vector<bool>& is_flipped = {},
                 const std::vector<int>& face_source = {});
 
@@ -47,13 +48,16 @@ class Mesh {
   }
   [[nodiscard]] HalfedgeId prev(HalfedgeId h) const {
     const FaceId f = face_[h];
-    return h.value == face_begin_[f.index()] ? HalfedgeId(face_begin_[f.index() + 1] - 1) : HalfedgeId(h.value - 1);
+    return h.value == face_begin_[f.index()] ? HalfedgeId(face_begin_[f.index() + 1] - 1)
+                                             : HalfedgeId(h.value - 1);
   }
   /// The same edge seen from the face on its other side; invalid at a border.
   [[nodiscard]] HalfedgeId twin(HalfedgeId h) const { return twin_[h]; }
   [[nodiscard]] FaceId face(HalfedgeId h) const { return face_[h]; }
   /// The face on the other side; invalid at a border.
-  [[nodiscard]] FaceId neighbour(HalfedgeId h) const { return twin_[h].is_valid() ? face_[twin_[h]] : FaceId(); }
+  [[nodiscard]] FaceId neighbour(HalfedgeId h) const {
+    return twin_[h].is_valid() ? face_[twin_[h]] : FaceId();
+  }
   [[nodiscard]] EdgeId edge(HalfedgeId h) const { return edge_[h]; }
   /// One of the edge's halfedges (the one with the smaller index).
   [[nodiscard]] HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
@@ -100,7 +104,8 @@ class Mesh {
   [[nodiscard]] int material(FaceId f) const { return face_material_.empty() ? -1 : face_material_[f]; }
 
  private:
-  void copy_faces(const PolygonSoup& soup, const std::vector<bool>& is_flipped, const std::vector<int>& face_source);
+  void copy_faces(const PolygonSoup& soup, const std::vector<bool>& is_flipped,
+                  const std::vector<int>& face_source);
   void copy_looks(const PolygonSoup& soup);
   void measure_faces();
   void pair_halfedges(const std::vector<int>& point_of);

@@ -11,13 +11,13 @@
 
 namespace netwright {
 
-/// One move of the search, as an exchange of hinges (paper, figure 3): face `chosen` overlapped something, the
-/// climb from it went towards `root`, and `removed` left the tree for `inserted`.
+/// One move of the search, as an exchange of hinges (paper, figure 3): face `chosen` overlapped something,
+/// the climb from it went towards `root`, and `removed` left the tree for `inserted`.
 struct MoveRecord {
   FaceId chosen;
   FaceId root;
-  HalfedgeId removed;     ///< halfedge of the moved face towards its old parent
-  HalfedgeId inserted;    ///< halfedge of the moved face towards its new parent
+  HalfedgeId removed;   ///< halfedge of the moved face towards its old parent
+  HalfedgeId inserted;  ///< halfedge of the moved face towards its new parent
   int overlaps_after = 0;
 };
 
@@ -31,12 +31,12 @@ struct Episode {
 struct Snapshot {
   Net net;
   std::vector<Overlap> overlaps;
-  std::int64_t iterations = 0;   ///< moves tried, of all streams
-  std::int64_t moves = 0;        ///< moves made by the stream shown
-  int restarts = 0;              ///< of the stream shown
+  std::int64_t iterations = 0;  ///< moves tried, of all streams
+  std::int64_t moves = 0;       ///< moves made by the stream shown
+  int restarts = 0;             ///< of the stream shown
   int stream = 0;
-  int best_overlaps = 0;         ///< fewest so far, over all streams
-  std::vector<int> history;      ///< overlaps after each move of the stream shown, thinned to at most 2000 values
+  int best_overlaps = 0;     ///< fewest so far, over all streams
+  std::vector<int> history;  ///< overlaps after each move of the stream shown, thinned to at most 2000 values
   std::int64_t history_stride = 1;
   std::optional<MoveRecord> last_move;
   bool is_final = false;

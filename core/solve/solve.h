@@ -1,5 +1,6 @@
-// The job: start tree, tabu search on several streams, final re-detection, proof. Window and command line call
-// this one function, so the same model, seed and options give the same net in both, on any number of threads.
+// The job: start tree, tabu search on several streams, final re-detection, proof. Window and command line
+// call this one function, so the same model, seed and options give the same net in both, on any number of
+// threads.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +18,10 @@ namespace netwright {
 
 struct SolveOptions {
   std::uint64_t seed = 0;
-  int streams = 2;                      ///< independent searches; part of what decides the answer
-  int threads = 0;                      ///< how many run them (0: as many as streams and cores); never decides it
-  FaceId root;                          ///< pinned: layout and tree start there
-  std::int64_t max_iterations = 0;      ///< per stream, 0 = no limit; decides the answer, unlike a time limit
+  int streams = 2;                  ///< independent searches; part of what decides the answer
+  int threads = 0;                  ///< how many run them (0: as many as streams and cores); never decides it
+  FaceId root;                      ///< pinned: layout and tree start there
+  std::int64_t max_iterations = 0;  ///< per stream, 0 = no limit; decides the answer, unlike a time limit
 };
 
 /// How the watcher wants the next move of the shown stream.
@@ -33,24 +34,24 @@ enum class Pace {
 /// What a watcher hands in. Both may be left empty.
 struct SolveHooks {
   Mailbox<Snapshot>* snapshots = nullptr;
-  /// Called before each move is shown, on the solver's thread; blocks while paused or until the next move is due.
-  /// The search itself stays ahead by at most one round, so pausing never changes the answer.
+  /// Called before each move is shown, on the solver's thread; blocks while paused or until the next move is
+  /// due. The search itself stays ahead by at most one round, so pausing never changes the answer.
   std::function<Pace()> pace;
 };
 
 struct SolveResult {
-  Net net;                              ///< the best found; a proved net when is_proved
+  Net net;  ///< the best found; a proved net when is_proved
   bool is_proved = false;
   bool was_cancelled = false;
   VerifyReport proof;
-  std::vector<Overlap> overlaps;        ///< what is left
-  int stream = 0;                       ///< which one found it
-  std::int64_t iterations = 0;          ///< of the stream that found it
+  std::vector<Overlap> overlaps;  ///< what is left
+  int stream = 0;                 ///< which one found it
+  std::int64_t iterations = 0;    ///< of the stream that found it
   std::int64_t moves = 0;
   int restarts = 0;
-  double cpu_seconds = 0;               ///< start trees + search + re-detection, all threads
+  double cpu_seconds = 0;  ///< start trees + search + re-detection, all threads
   double verify_seconds = 0;
-  std::vector<Episode> log;             ///< what the replay plays: start trees and moves of the winning stream
+  std::vector<Episode> log;  ///< what the replay plays: start trees and moves of the winning stream
 };
 
 /// Unfolds every component of the mesh into one piece each. Ends when all are proved nets, when

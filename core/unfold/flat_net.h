@@ -28,8 +28,9 @@ struct FlatNet {
   std::vector<Edge> edges;              ///< folds once; cut edges once per side, as Boundary
 };
 
-/// Faces joined by a fold share the fold's two vertices exactly; cut edges get vertices of their own on either
-/// side. `scale` is mm per model unit. Faces that the repair turned round are written as the file had them.
+/// Faces joined by a fold share the fold's two vertices exactly; cut edges get vertices of their own on
+/// either side. `scale` is mm per model unit. Faces that the repair turned round are written as the file had
+/// them.
 FlatNet to_flat_net(const Net& net, double scale);
 
 /// The model's total: how a FlatNet's mean edge is measured (all sides of all faces), in mm.

@@ -1,5 +1,5 @@
-// What every edge of a net is: a mountain, a valley, a flat fold, a cut or a border. The one source for screen
-// and paper.
+// What every edge of a net is: a mountain, a valley, a flat fold, a cut or a border. The one source for
+// screen and paper.
 #pragma once
 
 #include "core/unfold/net.h"
@@ -11,7 +11,7 @@ enum class EdgeKind {
   Valley,    ///< folds towards it: reflex on the model
   Flat,      ///< bent less than kFlatFold: not drawn
   Cut,
-  Border,    ///< the model is open here; cut too, but nothing is glued to it
+  Border,  ///< the model is open here; cut too, but nothing is glued to it
 };
 
 /// One kind per edge of the mesh.

@@ -19,10 +19,10 @@ struct Overlap {
 /// Every overlap deeper than `depth` mean edge lengths (to within a factor sqrt 2), sorted.
 std::vector<Overlap> find_overlaps(const Net& net, double depth);
 
-/// Do two convex counter-clockwise polygons meet deeper than `depth` (a length)? Separating-axis test over the
-/// edge lines of both: they overlap when from every edge line of either the other one reaches more than `depth`
-/// to the inner side. Touching edges, shared corners and coplanar neighbours have depth zero up to rounding, so
-/// adjacent faces need no exception; containment is covered.
+/// Do two convex counter-clockwise polygons meet deeper than `depth` (a length)? Separating-axis test over
+/// the edge lines of both: they overlap when from every edge line of either the other one reaches more than
+/// `depth` to the inner side. Touching edges, shared corners and coplanar neighbours have depth zero up to
+/// rounding, so adjacent faces need no exception; containment is covered.
 bool convex_overlap(std::span<const glm::dvec2> a, std::span<const glm::dvec2> b, double depth);
 
 }  // namespace netwright

@@ -8,9 +8,9 @@
 
 namespace netwright {
 
-/// Draws a random direction; every vertex cuts the edge that climbs most steeply along it; a breadth-first walk
-/// over what is left uncut makes the tree (where the cuts leave several parts, or a cycle of folds on a higher
-/// genus, the walk decides). One tree per component of the mesh.
+/// Draws a random direction; every vertex cuts the edge that climbs most steeply along it; a breadth-first
+/// walk over what is left uncut makes the tree (where the cuts leave several parts, or a cycle of folds on a
+/// higher genus, the walk decides). One tree per component of the mesh.
 UnfoldTree steepest_edge_tree(const DualGraph& dual, Random& random);
 
 }  // namespace netwright
