@@ -1,0 +1,55 @@
+// Draws the model: soft two-light shading, one tone per face, thin edges, and each face's state.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/mesh/dual_graph.h"
+#include "render/camera.h"
+#include "render/face_states.h"
+#include "render/line_renderer.h"
+
+namespace netwright {
+
+struct MeshLook {
+  bool shows_edges = true;
+  bool shows_materials = true;  ///< the model's own colours and textures, when it has any
+  float scale = 1;              ///< pixels per design pixel
+};
+
+class MeshRenderer {
+ public:
+  explicit MeshRenderer(const LineRenderer& lines);
+  /// Takes the model over to the graphics card; does nothing when it is there already. Null empties it.
+  void set_model(std::shared_ptr<const DualGraph> dual);
+  /// Draws into the framebuffer in use, with depth. `states`: one per face, or none.
+  void draw(const OrbitCamera& camera, const Palette& palette, const FaceStates& states,
+            const MeshLook& look);
+
+ private:
+  struct Group {  ///< triangles that share a texture
+    int material = -1;
+    int first = 0;
+    int count = 0;
+  };
+  void upload_triangles();
+  void upload_edges();
+  void upload_textures();
+  void upload_states(const FaceStates& states);
+  void draw_faces(const OrbitCamera& camera, const Palette& palette, const MeshLook& look) const;
+  void draw_lines(const OrbitCamera& camera, const Palette& palette, const MeshLook& look) const;
+
+  const LineRenderer& lines_;
+  Shader shader_;
+  Buffer buffer_;
+  VertexArray array_;
+  Texture state_table_;
+  std::vector<Texture> textures_;  ///< one per material, empty ones for materials without a picture
+  std::vector<Group> groups_;
+  LineBatch edges_;
+  LineBatch outlines_;  ///< of selected faces
+  std::shared_ptr<const DualGraph> dual_;
+  FaceStates states_;
+};
+
+}  // namespace netwright

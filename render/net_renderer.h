@@ -1,0 +1,70 @@
+// Draws the net: paper on a desk, cuts solid, mountains dash-dotted, valleys dashed, overlapping faces red.
+// Faces are painted in the order of their numbers, so of overlapping faces the one with the higher number is
+// on top.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/unfold/fold.h"
+#include "core/unfold/net.h"
+#include "render/camera.h"
+#include "render/face_states.h"
+#include "render/line_renderer.h"
+
+namespace netwright {
+
+/// A sheet of paper under the net, in the net's units: its border, and the part that can be printed on.
+struct SheetOutline {
+  Box2 border;
+  Box2 printable;
+};
+
+struct NetLook {
+  bool shows_folds = true;
+  bool shows_cuts = true;
+  float scale = 1;  ///< pixels per design pixel
+};
+
+class NetRenderer {
+ public:
+  explicit NetRenderer(const LineRenderer& lines);
+  /// Takes a net over; does nothing when `version` (not 0) is what it holds already.
+  void set_net(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version);
+  void clear();
+  /// Sheets to draw under the net; none by default.
+  void set_sheets(std::span<const SheetOutline> sheets);
+  /// Draws over the desk into the framebuffer in use. `states`: one per face, or none.
+  void draw(const PanZoomCamera& camera, const Palette& palette, const FaceStates& states,
+            const NetLook& look);
+
+ private:
+  void upload_faces(const Net& net, std::uint64_t version);
+  void upload_lines(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version);
+  void upload_outlines();
+  void upload_states(const FaceStates& states);
+  void draw_sheets(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const;
+  void draw_faces(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const;
+  void draw_lines(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const;
+
+  const LineRenderer& lines_;
+  Shader shader_;
+  Buffer face_buffer_;
+  VertexArray face_array_;
+  int n_face_vertices_ = 0;
+  Buffer sheet_buffer_;
+  VertexArray sheet_array_;
+  int n_sheet_vertices_ = 0;
+  Texture state_table_;
+  FaceStates states_;
+  std::vector<glm::vec2> corners_;  ///< of all faces, for outlines of selected ones
+  std::vector<int> face_begin_;
+  bool are_outlines_stale_ = true;
+  LineBatch cuts_;
+  LineBatch folds_;
+  LineBatch outlines_;
+  LineBatch sheet_lines_;
+};
+
+}  // namespace netwright
