@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "core/mesh/mesh_report.h"
+#include "core/mesh/read.h"
 #include "core/project/project.h"
+#include "core/project/shown_net.h"
 #include "core/sheet/sheet.h"
 #include "core/solve/solve.h"
-#include "core/unfold/fold.h"
 
 namespace netwright {
 
@@ -25,19 +26,6 @@ enum class RunState {
   Running,    ///< the search is running
   Paused,     ///< it waits: step or resume
   Replaying,  ///< it is over and its recorded moves are played back
-};
-
-/// What both views draw: the running search's latest snapshot, or the project's own net. Replaced as a whole.
-struct ShownNet {
-  std::uint64_t version = 0;             ///< changes whenever anything below does
-  Net net;
-  std::vector<Overlap> overlaps;
-  std::vector<bool> is_overlapping;      ///< one per face
-  IdVector<EdgeId, EdgeKind> kinds;
-  std::optional<MoveRecord> last_move;   ///< while stepping or replaying
-  std::vector<FaceId> climbed;           ///< faces on the path climbed by last_move, chosen face first
-  std::vector<EdgeId> candidates;        ///< cuts that the climb could have turned into folds
-  bool is_proved = false;
 };
 
 /// The figures in the status bar, true at the moment of the call.
@@ -51,7 +39,7 @@ struct RunFigures {
   int restarts = 0;
   std::uint64_t seed = 0;
   double seconds = 0;
-  std::vector<int> history;              ///< overlaps over moves, for the chart
+  std::vector<int> history;  ///< overlaps over moves, for the chart
   std::int64_t history_stride = 1;
 };
 
@@ -71,16 +59,20 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Takes in what the worker finished and moves a replay on; call once per frame. True when anything changed.
+  /// Takes in what the worker finished and moves a replay on; call once per frame. True when anything
+  /// changed.
   bool poll();
   /// Called from worker threads when there is something to poll (the window's loop wakes up).
   void set_wake(std::function<void()> wake);
+  /// How long the loop may sleep when nothing wakes it: a replay and a running clock move on by themselves.
+  /// Infinity when nothing does.
+  [[nodiscard]] double wait_seconds() const;
 
   // Models. Reading happens on the chores lane; errors arrive as messages, the present model stays.
   void open(const std::filesystem::path& path);
-  /// Opens a bundled model from memory; `name` tells the format by its extension.
-  void open_bytes(const std::string& name, std::string bytes);
-  /// Bundled companion files (a material library, a picture) that open_bytes may need, by name.
+  /// Opens a bundled model from memory; `name` tells the format by its extension, `companions` finds the
+  /// files it refers to (a material library, a picture) and is called on the worker.
+  void open_bytes(const std::string& name, std::string bytes, CompanionLookup companions = {});
   [[nodiscard]] bool has_model() const { return project().dual != nullptr; }
   [[nodiscard]] const MeshReport* report() const;
 
@@ -92,31 +84,32 @@ class Session {
   [[nodiscard]] std::shared_ptr<const Progress> chore() const;
 
   // The search.
-  void unfold();           ///< start, or resume when paused
+  void unfold();  ///< start, or resume when paused
   void pause();
-  void step();             ///< one move; starts (paused) when nothing runs
-  void stop();             ///< the best so far stays shown, not accepted unless proved
-  void new_seed();         ///< next seed, runs again
+  void step();      ///< one move, then paused; starts when nothing runs
+  void stop();      ///< the best so far stays shown, not accepted unless proved
+  void new_seed();  ///< next seed, runs again
   void set_seed(std::uint64_t seed);
   void skip_replay();
   /// Moves a second for the eyes; infinity = full speed. Takes effect at once.
   void set_speed(double moves_per_second);
   [[nodiscard]] double speed() const;
-  /// How many streams search and how long at most (seconds; 0 = no limit).
+  /// How many streams search (from the next run on) and how long at most (seconds, pauses left out; 0 = no
+  /// limit).
   void set_streams(int streams);
   [[nodiscard]] int streams() const;
   void set_time_limit(double seconds);
   [[nodiscard]] double time_limit() const;
 
   // Edits: each is one undo step with a name.
-  void pin_root(FaceId face);      ///< an invalid face removes the pin
+  void pin_root(FaceId face);  ///< an invalid face removes the pin
   void set_paper(const PaperSetup& paper);
   void set_size(const PrintSize& size);
   [[nodiscard]] bool can_undo() const;
   [[nodiscard]] bool can_redo() const;
   [[nodiscard]] std::string undo_label() const;
   [[nodiscard]] std::string redo_label() const;
-  void undo();
+  void undo();  ///< a search that runs is stopped first; an unfinished net that is shown goes first, too
   void redo();
 
   // Printing. Sheets exist only for a proved net; null otherwise.
