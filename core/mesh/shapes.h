@@ -39,8 +39,8 @@ std::vector<PolygonSoup> platonic_solids();
 /// The thirteen, with names like "snub cube".
 std::vector<PolygonSoup> archimedean_solids();
 
-/// Icosahedron whose faces are split `subdivisions` times into n² triangles on the unit sphere (2: 80 faces).
-PolygonSoup icosphere(int subdivisions);
+/// An icosahedron whose faces are split into n² triangles, brought onto the unit sphere: 20 n² faces (2: 80).
+PolygonSoup icosphere(int n);
 /// A ring of m × n triangle pairs; m around the ring, n around the tube. Genus 1.
 PolygonSoup torus(int m, int n, double ring_radius = 2, double tube_radius = 1);
 /// The paper's figure 1: two cones of n sides tip to tip, joined by a neck.

@@ -1,0 +1,80 @@
+// What several test programs share: the zoo of shapes with what is known about each, and short ways from a
+// shape to a Mesh or DualGraph.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/dual_graph.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/shapes.h"
+
+namespace netwright::testing {
+
+struct ZooShape {
+  PolygonSoup soup;
+  bool is_closed = true;
+  bool has_concave_faces = false;
+  int genus = 0;
+  int n_components = 1;
+};
+
+inline std::shared_ptr<const Mesh> make_mesh(const PolygonSoup& soup) {
+  return std::make_shared<const Mesh>(soup);
+}
+
+inline std::shared_ptr<const DualGraph> make_dual(const PolygonSoup& soup) {
+  return std::make_shared<const DualGraph>(make_mesh(soup));
+}
+
+/// Every kind of shape that must unfold, small ones first within a kind. All faces are flat.
+inline std::vector<ZooShape> zoo() {
+  using namespace shapes;
+  std::vector<ZooShape> all;
+  const auto add = [&](PolygonSoup soup) -> ZooShape& {
+    all.push_back({.soup = std::move(soup)});
+    return all.back();
+  };
+  for (PolygonSoup& solid : platonic_solids()) add(std::move(solid));
+  for (PolygonSoup& solid : archimedean_solids()) add(std::move(solid));
+  add(cuboid({1, 20, 0.5}));
+  add(grid_cube(3));
+  add(regular_prism(17));
+  add(antiprism(12));
+  add(pyramid(5, 4));
+  add(bipyramid(7));
+  add(icosphere(2));
+  add(sand_clock());
+  add(globe());
+  add(hat());
+  for (PolygonSoup& soup : std::vector{letter_l(), letter_e(), star(7), gear(10)}) {
+    add(std::move(soup)).has_concave_faces = true;
+  }
+  add(torus(8, 6)).genus = 1;
+  add(cuboid_with_holes(1, 1, 2)).genus = 1;
+  add(cuboid_with_holes(2, 2)).genus = 4;
+  for (PolygonSoup& soup : std::vector{grid_patch(5, 4), bumpy_patch(6, 6), open_cylinder(16, 3)}) {
+    add(std::move(soup)).is_closed = false;
+  }
+  add(combined(cube(), tetrahedron(), {5, 0, 0})).n_components = 2;
+  ZooShape& mixed = add(combined(torus(6, 5), grid_patch(2, 2), {9, 0, 0}));
+  mixed.is_closed = false;
+  mixed.genus = 1;
+  mixed.n_components = 2;
+  return all;
+}
+
+/// The shape turned inside out.
+inline PolygonSoup inside_out(PolygonSoup soup) {
+  PolygonSoup turned = soup;
+  turned.face_begin = {0};
+  turned.corners.clear();
+  for (int f = 0; f < soup.n_faces(); ++f) {
+    turned.add_face(std::vector<int>(soup.face(f).rbegin(), soup.face(f).rend()));
+  }
+  return turned;
+}
+
+}  // namespace netwright::testing
