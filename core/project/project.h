@@ -23,17 +23,20 @@ struct RunSummary {
   double seconds = 0;
   int overlaps = 0;
   bool is_proved = false;
+  bool operator==(const RunSummary&) const = default;
 };
 
 struct Project {
-  std::filesystem::path path;                  ///< the model's file; empty for a bundled sample
-  std::shared_ptr<const DualGraph> dual;       ///< model and dual graph; null in an empty project
-  std::shared_ptr<const UnfoldTree> tree;      ///< the accepted tree, null before the first run
+  std::filesystem::path path;              ///< the model's file; empty for a bundled sample
+  std::shared_ptr<const DualGraph> dual;   ///< model and dual graph; null in an empty project
+  std::shared_ptr<const UnfoldTree> tree;  ///< the accepted tree, null before the first run
   std::optional<RunSummary> run;
   FaceId pinned_root;
   std::uint64_t seed = 0;
   PaperSetup paper;
   PrintSize size;
+  bool operator==(const Project&) const =
+      default;  ///< shared parts count as equal when they are the same object
 };
 
 }  // namespace netwright

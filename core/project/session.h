@@ -107,6 +107,7 @@ class Session {
   void set_size(const PrintSize& size);
   [[nodiscard]] bool can_undo() const;
   [[nodiscard]] bool can_redo() const;
+  /// "Undo pin root", ready for a menu; just "Undo" when there is nothing to undo.
   [[nodiscard]] std::string undo_label() const;
   [[nodiscard]] std::string redo_label() const;
   void undo();  ///< a search that runs is stopped first; an unfinished net that is shown goes first, too

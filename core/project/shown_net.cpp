@@ -69,7 +69,6 @@ ShownNet make_shown_net(Net net, std::vector<Overlap> overlaps, bool is_proved) 
   shown.net = std::move(net);
   shown.overlaps = std::move(overlaps);
   shown.is_proved = is_proved;
-  spread_pieces(shown.net);
   return shown;
 }
 
@@ -90,29 +89,9 @@ void trace_move(ShownNet& shown, const MoveRecord& move) {
   }
 }
 
-void spread_pieces(Net& net) {
-  if (net.n_pieces < 2) return;
-  std::vector<Box2> boxes(static_cast<std::size_t>(net.n_pieces));
-  for (const FaceId f : net.mesh().faces()) boxes[static_cast<std::size_t>(net.piece[f])].add(net.box(f));
-  std::vector<glm::dvec2> shift(boxes.size());
-  const double gap = net.mesh().mean_edge();
-  double x = 0;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    shift[i] = glm::dvec2(x, 0) - boxes[i].min;
-    x += boxes[i].size().x + gap;
-  }
-  for (const FaceId f : net.mesh().faces()) {
-    net.placement[f].x += shift[static_cast<std::size_t>(net.piece[f])].x;
-    net.placement[f].y += shift[static_cast<std::size_t>(net.piece[f])].y;
-  }
-}
-
-void anchor_roots(Net& net) {
-  std::vector<Rigid2> back(static_cast<std::size_t>(net.n_pieces));
-  for (const FaceId f : net.tree.roots())
-    back[static_cast<std::size_t>(net.piece[f])] = net.placement[f].inverse();
-  for (const FaceId f : net.mesh().faces())
-    net.placement[f] = back[static_cast<std::size_t>(net.piece[f])] * net.placement[f];
+Net layout_from(std::shared_ptr<const DualGraph> dual, UnfoldTree tree, const std::vector<FaceId>& roots) {
+  for (const FaceId root : roots) tree.reroot(dual->mesh(), root);
+  return layout(std::move(dual), std::move(tree));
 }
 
 }  // namespace netwright

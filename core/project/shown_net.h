@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -26,17 +27,14 @@ struct ShownNet {
   bool is_proved = false;
 };
 
-/// Works out kinds and overlapping faces, and sets several pieces side by side.
+/// Works out kinds and overlapping faces.
 ShownNet make_shown_net(Net net, std::vector<Overlap> overlaps, bool is_proved);
 
 /// Fills in last_move, climbed and candidates; `shown.net` is the net after the move.
 void trace_move(ShownNet& shown, const MoveRecord& move);
 
-/// Moves the pieces of a net apart, into a row in the order of their numbers, aligned at their lower sides.
-void spread_pieces(Net& net);
-
-/// Moves every piece so that its root lies as in its face frame: two nets of one model with the same roots
-/// then agree there, and the picture holds still while a search goes on.
-void anchor_roots(Net& net);
+/// Lays a tree out with these faces as the roots of their pieces, whatever its own roots are: two nets of one
+/// model then agree there, and the picture holds still while a search goes on.
+Net layout_from(std::shared_ptr<const DualGraph> dual, UnfoldTree tree, const std::vector<FaceId>& roots);
 
 }  // namespace netwright

@@ -1,0 +1,23 @@
+// Every edit as a function from Project to Project. None of them changes what it was given, so a list of
+// Projects is the whole history.
+#pragma once
+
+#include "core/project/project.h"
+
+namespace netwright {
+
+/// A fresh project of this model. What belongs to the user's desk and not to the model, the paper, stays.
+Project new_project(const Project& before, std::filesystem::path path, std::shared_ptr<const DualGraph> dual);
+
+/// Layout and tree start at `face`, and runs keep it; an invalid face removes the pin. An accepted tree is
+/// rerooted: it stays the same net.
+Project pin_root(Project project, FaceId face);
+
+/// Makes a proved tree the project's own.
+Project accept_tree(Project project, UnfoldTree tree, const RunSummary& run);
+
+Project set_seed(Project project, std::uint64_t seed);
+Project set_paper(Project project, const PaperSetup& paper);
+Project set_size(Project project, const PrintSize& size);
+
+}  // namespace netwright

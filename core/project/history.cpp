@@ -1,0 +1,13 @@
+// The one operation of the history that does more than move the present. Steps are kept without a limit: one
+// costs some hundred bytes, trees included only when a run was accepted.
+#include "core/project/history.h"
+
+namespace netwright {
+
+void History::push(std::string label, Project next) {
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(present_) + 1, entries_.end());
+  entries_.push_back({std::move(label), std::move(next)});
+  ++present_;
+}
+
+}  // namespace netwright

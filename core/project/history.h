@@ -1,0 +1,42 @@
+// Undo and redo as a list of labelled Projects. Cheap, because Projects share their big parts.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/project/project.h"
+
+namespace netwright {
+
+class History {
+ public:
+  explicit History(Project first = {}) : entries_{{"", std::move(first)}} {}
+
+  [[nodiscard]] const Project& present() const { return entries_[present_].project; }
+
+  /// One undo step: `label` names the edit that led to `next` ("pin root"). What could be redone is gone.
+  void push(std::string label, Project next);
+
+  /// Changes the present without an undo step; what could be redone stays.
+  void amend(Project project) { entries_[present_].project = std::move(project); }
+
+  [[nodiscard]] bool can_undo() const { return present_ > 0; }
+  [[nodiscard]] bool can_redo() const { return present_ + 1 < entries_.size(); }
+  /// The edit's name; empty when there is none.
+  [[nodiscard]] std::string undo_label() const { return entries_[present_].label; }
+  [[nodiscard]] std::string redo_label() const { return can_redo() ? entries_[present_ + 1].label : ""; }
+  /// Both do nothing when there is nothing to do.
+  void undo() { present_ -= can_undo() ? 1 : 0; }
+  void redo() { present_ += can_redo() ? 1 : 0; }
+
+ private:
+  struct Entry {
+    std::string label;
+    Project project;
+  };
+  std::vector<Entry> entries_;  ///< never empty; the first has no label
+  std::size_t present_ = 0;
+};
+
+}  // namespace netwright
