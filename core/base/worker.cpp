@@ -18,6 +18,10 @@ ThreadPool::~ThreadPool() {
   wake_.notify_all();
 }
 
+int ThreadPool::hardware_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 void ThreadPool::run(int n, const std::function<void(int)>& task) {
   std::unique_lock lock(mutex_);
   task_ = &task;

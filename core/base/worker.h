@@ -23,6 +23,9 @@ class ThreadPool {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
+  /// How many threads this machine runs at once, at least 1.
+  [[nodiscard]] static int hardware_threads();
+
   /// Calls task(i) once for every i; returns when all are done. The first exception is thrown again here.
   void run(int n, const std::function<void(int)>& task);
 

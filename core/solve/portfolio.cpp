@@ -1,0 +1,72 @@
+// Rounds and marks. Rounds are short at first, so that easy models cost little, and stay short enough to be
+// watched.
+#include "core/solve/portfolio.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/cpu_time.h"
+
+namespace netwright {
+
+namespace {
+
+constexpr std::int64_t kFirstRound = 32;
+
+}  // namespace
+
+Portfolio::Portfolio(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
+                     std::uint64_t seed, int n_streams, std::uint64_t first_stream, ThreadPool& pool)
+    : pool_(&pool),
+      streams_(static_cast<std::size_t>(std::max(1, n_streams))),
+      cpu_seconds_(streams_.size(), 0),
+      longest_round_(std::clamp<std::int64_t>(200'000 / model.n_faces, kFirstRound, 1024)) {
+  pool.run(this->n_streams(), [&](int k) {
+    const double before = thread_cpu_seconds();
+    const auto i = static_cast<std::size_t>(k);
+    streams_[i] = std::make_unique<TabuSolver>(dual, model, settings, seed, first_stream + i);
+    cpu_seconds_[i] += thread_cpu_seconds() - before;
+  });
+  find_winner();
+}
+
+void Portfolio::advance(const Progress& progress, std::int64_t max_iterations) {
+  mark_ += std::clamp<std::int64_t>(mark_, kFirstRound, longest_round_);
+  if (max_iterations > 0) mark_ = std::min(mark_, max_iterations);
+  pool_->run(n_streams(), [&](int k) {
+    const double before = thread_cpu_seconds();
+    TabuSolver& solver = *streams_[static_cast<std::size_t>(k)];
+    while (!solver.is_solved() && solver.iterations() < mark_ && !progress.is_cancelled()) solver.step();
+    cpu_seconds_[static_cast<std::size_t>(k)] += thread_cpu_seconds() - before;
+  });
+  find_winner();
+}
+
+void Portfolio::find_winner() {
+  for (int k = 0; k < n_streams(); ++k) {
+    const bool is_better = winner_ < 0 || stream(k).iterations() < stream(winner_).iterations();
+    if (stream(k).is_solved() && is_better) winner_ = k;
+  }
+}
+
+int Portfolio::lead() const {
+  if (winner_ >= 0) return winner_;
+  int lead = 0;
+  for (int k = 1; k < n_streams(); ++k)
+    if (stream(k).state().overlaps() < stream(lead).state().overlaps()) lead = k;
+  return lead;
+}
+
+int Portfolio::best() const {
+  if (winner_ >= 0) return winner_;
+  int best = 0;
+  for (int k = 1; k < n_streams(); ++k)
+    if (stream(k).best_overlaps() < stream(best).best_overlaps()) best = k;
+  return best;
+}
+
+double Portfolio::cpu_seconds() const {
+  return std::accumulate(cpu_seconds_.begin(), cpu_seconds_.end(), 0.0);
+}
+
+}  // namespace netwright

@@ -1,0 +1,322 @@
+// Keeps placements and overlaps in step with the tree. A move changes only overlaps between its two sides, so
+// the smaller side asks and the larger answers: boxes of blocks of 16 neighbours in preorder, then boxes of
+// faces, then the separating-axis test. A side is an interval of the preorder, so belonging to it is a bit
+// mask.
+#include "core/solve/search_state.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace netwright {
+
+namespace {
+
+// Does b reach deeper than `depth` to the inner side of every edge line of a? See convex_overlap in
+// unfold/overlap.h.
+bool reaches_into(const glm::dvec2* a, int n_a, const glm::dvec2* b, int n_b, double depth) {
+  for (int i = 0; i < n_a; ++i) {
+    const glm::dvec2 p = a[i];
+    const glm::dvec2 q = a[i + 1 < n_a ? i + 1 : 0];
+    const double dx = q.x - p.x;
+    const double dy = q.y - p.y;
+    const double least = depth * (std::abs(dx) + std::abs(dy));
+    bool reaches = false;
+    for (int j = 0; j < n_b; ++j) reaches = reaches || dx * (b[j].y - p.y) - dy * (b[j].x - p.x) > least;
+    if (!reaches) return false;
+  }
+  return true;
+}
+
+BoxF box_around(const glm::dvec2* first, const glm::dvec2* last) {
+  double min_x = first->x;
+  double max_x = first->x;
+  double min_y = first->y;
+  double max_y = first->y;
+  for (const glm::dvec2* p = first + 1; p < last; ++p) {
+    min_x = std::min(min_x, p->x);
+    max_x = std::max(max_x, p->x);
+    min_y = std::min(min_y, p->y);
+    max_y = std::max(max_y, p->y);
+  }
+  return BoxF::around(min_x, min_y, max_x, max_y);
+}
+
+// The box of a moved box.
+BoxF moved_box(const BoxF& box, const Rigid2& m) {
+  const glm::dvec2 centre = m({0.5 * (static_cast<double>(box.min_x) + box.max_x),
+                               0.5 * (static_cast<double>(box.min_y) + box.max_y)});
+  const double ex = 0.5 * (static_cast<double>(box.max_x) - box.min_x);
+  const double ey = 0.5 * (static_cast<double>(box.max_y) - box.min_y);
+  const double w = std::abs(m.cos) * ex + std::abs(m.sin) * ey;
+  const double h = std::abs(m.sin) * ex + std::abs(m.cos) * ey;
+  return BoxF::around(centre.x - w, centre.y - h, centre.x + w, centre.y + h);
+}
+
+// Bits of a block's positions that lie in first … last-1.
+unsigned range_mask(int block, int first, int last) {
+  const int low = std::clamp(first - 16 * block, 0, 16);
+  const int high = std::clamp(last - 16 * block, 0, 16);
+  return high > low ? ((1U << high) - 1U) & ~((1U << low) - 1U) : 0U;
+}
+
+}  // namespace
+
+SearchState::SearchState(const SearchModel& model, double depth) : model_(&model), depth_(depth) {
+  const auto n = at(model.n_faces);
+  placement_.resize(n);
+  world_.resize(model.verts.size());
+  box_.resize(n);
+  n_overlaps_.assign(n, 0);
+  overlapping_index_.assign(n, -1);
+  order_.resize(n);
+  position_.resize(n);
+  end_.resize(n);
+  up_.resize(n);
+  const int n_blocks = (model.n_faces + 15) / 16;
+  lanes_.resize(model.n_faces);
+  block_lanes_.resize(n_blocks);
+  for (int b = 0; b < n_blocks; ++b) all_blocks_.push_back(b);
+}
+
+void SearchState::set_tree(std::vector<char> is_fold) {
+  is_fold_ = std::move(is_fold);
+  placement_[0] = Rigid2();
+  recompute();
+}
+
+void SearchState::recompute() {
+  place_from_tree();
+  find_all_pairs();
+}
+
+void SearchState::place_face(int f, const Rigid2& placement) {
+  placement_[at(f)] = placement;
+  const int first = model_->first_vert(f);
+  const int last = model_->last_vert(f);
+  for (int v = first; v < last; ++v) world_[at(v)] = placement(model_->verts[at(v)]);
+  box_[at(f)] = box_around(&world_[at(first)], world_.data() + last);
+}
+
+void SearchState::place_from_tree() {
+  root_at(0);
+  for (int i = 0; i < model_->n_faces; ++i) {
+    const int f = order_[at(i)];
+    const int down = up_[at(f)] < 0 ? -1 : model_->twin[at(up_[at(f)])];
+    place_face(f, down < 0 ? placement_[at(f)]
+                           : placement_[at(model_->face_of[at(down)])] * model_->unroll[at(down)]);
+  }
+}
+
+void SearchState::root_at(int face) {
+  const SearchModel& m = *model_;
+  stack_.clear();
+  stack_.push_back(face);
+  up_[at(face)] = -1;
+  int n = 0;
+  while (!stack_.empty()) {
+    const int f = stack_.back();
+    stack_.pop_back();
+    order_[at(n)] = f;
+    position_[at(f)] = n++;
+    const int up = up_[at(f)];
+    for (int h = m.face_begin[at(f)]; h < m.face_begin[at(f) + 1]; ++h) {
+      if (!is_fold_[at(h)] || h == up) continue;
+      const int t = m.twin[at(h)];
+      up_[at(m.face_of[at(t)])] = t;
+      stack_.push_back(m.face_of[at(t)]);
+    }
+  }
+  // Ends bottom-up: a subtree ends where its last child's ends.
+  for (int i = 0; i < n; ++i) end_[at(order_[at(i)])] = i + 1;
+  for (int i = n - 1; i > 0; --i) {
+    const int f = order_[at(i)];
+    int& parent_end = end_[at(m.beyond(up_[at(f)]))];
+    parent_end = std::max(parent_end, end_[at(f)]);
+  }
+  gather_boxes();
+}
+
+void SearchState::gather_boxes() {
+  const int n = model_->n_faces;
+  for (int b = 0; b * 16 < n; ++b) {
+    BoxF all;
+    for (int i = b * 16; i < std::min(n, b * 16 + 16); ++i) {
+      const BoxF& box = box_[at(order_[at(i)])];
+      lanes_.set(i, box);
+      all = {std::min(all.min_x, box.min_x), std::min(all.min_y, box.min_y), std::max(all.max_x, box.max_x),
+             std::max(all.max_y, box.max_y)};
+    }
+    block_lanes_.set(b, all);
+  }
+}
+
+bool SearchState::faces_overlap(const glm::dvec2* moved, int moved_face, int face) const {
+  const SearchModel& m = *model_;
+  const int base = m.first_vert(moved_face);
+  for (int i = m.part_begin[at(moved_face)]; i < m.part_begin[at(moved_face) + 1]; ++i) {
+    const glm::dvec2* a = moved + (m.vert_begin[at(i)] - base);
+    const int n_a = m.vert_begin[at(i) + 1] - m.vert_begin[at(i)];
+    for (int j = m.part_begin[at(face)]; j < m.part_begin[at(face) + 1]; ++j) {
+      const glm::dvec2* b = world_.data() + m.vert_begin[at(j)];
+      const int n_b = m.vert_begin[at(j) + 1] - m.vert_begin[at(j)];
+      if (reaches_into(a, n_a, b, n_b, depth_) && reaches_into(b, n_b, a, n_a, depth_)) return true;
+    }
+  }
+  return false;
+}
+
+unsigned SearchState::side_mask(int block) const {
+  const unsigned side = range_mask(block, side_first_, side_last_);
+  return queries_side_ ? ~side & 0xFFFFU : side;
+}
+
+template <class Visit>
+bool SearchState::visit_query_face(int face, const std::vector<int>& blocks, Visit&& visit) {
+  const SearchModel& m = *model_;
+  const int first = m.first_vert(face);
+  const int last = m.last_vert(face);
+  moved_.resize(at(last - first));
+  for (int v = first; v < last; ++v) moved_[at(v - first)] = motion_(world_[at(v)]);
+  const BoxF box = box_around(moved_.data(), moved_.data() + moved_.size());
+  for (const int b : blocks) {
+    unsigned hits = lanes_.hits(b, box) & side_mask(b);
+    while (hits != 0) {
+      const int other = order_[at(16 * b + std::countr_zero(hits))];
+      hits &= hits - 1;
+      if (faces_overlap(moved_.data(), face, other) && !visit(face, other)) return false;
+    }
+  }
+  return true;
+}
+
+template <class Visit>
+bool SearchState::visit_query_block(int block, unsigned members, Visit&& visit) {
+  const BoxF box = std::popcount(members) == 1
+                       ? moved_box(lanes_.get(16 * block + std::countr_zero(members)), motion_)
+                       : moved_box(block_lanes_.get(block), motion_);
+  hit_blocks_.clear();
+  const int n_groups = static_cast<int>(block_lanes_.min_x.size()) / 16;
+  for (int g = 0; g < n_groups; ++g) {
+    unsigned hits = block_lanes_.hits(g, box);
+    while (hits != 0) {
+      const int b = 16 * g + std::countr_zero(hits);
+      hits &= hits - 1;
+      if (side_mask(b) != 0) hit_blocks_.push_back(b);
+    }
+  }
+  if (hit_blocks_.empty()) return true;
+  while (members != 0) {
+    const int face = order_[at(16 * block + std::countr_zero(members))];
+    members &= members - 1;
+    if (!visit_query_face(face, hit_blocks_, visit)) return false;
+  }
+  return true;
+}
+
+template <class Visit>
+void SearchState::visit_meetings(const Exchange& exchange, Visit&& visit) {
+  const int n = model_->n_faces;
+  side_first_ = exchange.first;
+  side_last_ = exchange.last;
+  queries_side_ = 2 * (exchange.last - exchange.first) <= n;
+  motion_ = queries_side_ ? exchange.motion : exchange.motion.inverse();
+  for (int b = 0; 16 * b < n; ++b) {
+    const unsigned side = range_mask(b, side_first_, side_last_);
+    const unsigned members = queries_side_ ? side : ~side & range_mask(b, 0, n);
+    if (members != 0 && !visit_query_block(b, members, visit)) return;
+    if (queries_side_ && 16 * b + 16 >= side_last_) return;
+  }
+}
+
+int SearchState::count_after(const Exchange& exchange, int limit) {
+  int count = 0;
+  visit_meetings(exchange, [&](int, int) { return ++count < limit; });
+  return count;
+}
+
+void SearchState::apply(const Exchange& exchange) {
+  std::vector<std::pair<int, int>> gained;
+  visit_meetings(exchange, [&](int a, int b) {
+    gained.emplace_back(std::min(a, b), std::max(a, b));
+    return true;
+  });
+  const auto in_side = [&](int f) {
+    return position_[at(f)] >= exchange.first && position_[at(f)] < exchange.last;
+  };
+  std::size_t kept = 0;
+  for (const auto& pair : pairs_) {
+    if (in_side(pair.first) == in_side(pair.second)) {
+      pairs_[kept++] = pair;
+    } else {
+      count_face(pair.first, -1);
+      count_face(pair.second, -1);
+    }
+  }
+  pairs_.resize(kept);
+  for (const auto& pair : gained) {
+    pairs_.push_back(pair);
+    count_face(pair.first, 1);
+    count_face(pair.second, 1);
+  }
+  for (int i = 0; i < model_->n_faces; ++i) {
+    const bool is_moved = (i >= exchange.first && i < exchange.last) == queries_side_;
+    if (is_moved) place_face(order_[at(i)], motion_ * placement_[at(order_[at(i)])]);
+  }
+  for (const int h : {exchange.removed, exchange.inserted}) {
+    const char value = h == exchange.inserted ? 1 : 0;
+    is_fold_[at(h)] = value;
+    is_fold_[at(model_->twin[at(h)])] = value;
+  }
+}
+
+void SearchState::count_face(int f, int change) {
+  int& n = n_overlaps_[at(f)];
+  int& index = overlapping_index_[at(f)];
+  n += change;
+  if (n > 0 && index < 0) {
+    index = static_cast<int>(overlapping_.size());
+    overlapping_.push_back(f);
+  } else if (n == 0 && index >= 0) {
+    const int last = overlapping_.back();
+    overlapping_[at(index)] = last;
+    overlapping_index_[at(last)] = index;
+    overlapping_.pop_back();
+    overlapping_index_[at(f)] = -1;
+  }
+}
+
+void SearchState::set_pairs(std::vector<std::pair<int, int>> pairs) {
+  for (const int f : overlapping_) {
+    n_overlaps_[at(f)] = 0;
+    overlapping_index_[at(f)] = -1;
+  }
+  overlapping_.clear();
+  pairs_ = std::move(pairs);
+  for (const auto& pair : pairs_) {
+    count_face(pair.first, 1);
+    count_face(pair.second, 1);
+  }
+}
+
+void SearchState::find_all_pairs() {
+  // The sweep of the paper's Algorithm 2, on the float boxes.
+  std::vector<int> swept(order_);
+  std::sort(swept.begin(), swept.end(), [this](int a, int b) {
+    return box_[at(a)].min_x != box_[at(b)].min_x ? box_[at(a)].min_x < box_[at(b)].min_x : a < b;
+  });
+  std::vector<std::pair<int, int>> found;
+  for (std::size_t i = 0; i < swept.size(); ++i) {
+    const int a = swept[i];
+    const BoxF& box = box_[at(a)];
+    for (std::size_t j = i + 1; j < swept.size() && box_[at(swept[j])].min_x <= box.max_x; ++j) {
+      const int b = swept[j];
+      if (box_[at(b)].min_y > box.max_y || box.min_y > box_[at(b)].max_y) continue;
+      if (faces_overlap(&world_[at(model_->first_vert(a))], a, b))
+        found.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  set_pairs(std::move(found));
+}
+
+}  // namespace netwright

@@ -1,0 +1,125 @@
+// Runs one portfolio per component of the mesh, then lays the whole out, detects anew and has it proved.
+#include "core/solve/solve.h"
+
+#include <algorithm>
+
+#include "core/base/cpu_time.h"
+#include "core/base/predicates.h"
+#include "core/solve/portfolio.h"
+#include "core/solve/showing.h"
+
+namespace netwright {
+
+namespace {
+
+// A net that the search claims and the proof refuses is searched for again with other random numbers: the two
+// use different arithmetic, and a contact may sit between their tolerances.
+constexpr int kAttempts = 3;
+
+int n_threads(const SolveOptions& options) {
+  const int wanted = options.threads > 0 ? options.threads : ThreadPool::hardware_threads();
+  return std::clamp(wanted, 1, std::max(1, options.streams));
+}
+
+class SolveJob {
+ public:
+  SolveJob(std::shared_ptr<const DualGraph> dual, const SolveOptions& options, Progress& progress,
+           const SolveHooks& hooks)
+      : dual_(std::move(dual)),
+        options_(options),
+        progress_(progress),
+        hooks_(hooks),
+        models_(search_models(*dual_)),
+        pool_(n_threads(options)),
+        whole_(dual_, options.root) {}
+
+  SolveResult run() {
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      search(attempt);
+      collect();
+      if (result_.overlaps.empty()) prove();
+      if (result_.is_proved || result_.was_cancelled || !result_.overlaps.empty()) break;
+    }
+    result_.was_cancelled = progress_.is_cancelled() && !result_.is_proved;
+    return std::move(result_);
+  }
+
+ private:
+  void search(int attempt) {
+    portfolios_.clear();
+    for (std::size_t c = 0; c < models_.size(); ++c) {
+      const std::uint64_t first_stream = (static_cast<std::uint64_t>(attempt) << 48) + (c << 16);
+      portfolios_.push_back(std::make_unique<Portfolio>(
+          *dual_, models_[c], SearchSettings::fast(), options_.seed, options_.streams, first_stream, pool_));
+      whole_.set(models_[c], portfolios_[c]->stream(portfolios_[c]->lead()).state().folds());
+    }
+    Showing showing(whole_, models_, portfolios_, hooks_);
+    for (std::size_t c = 0; c < models_.size(); ++c) {
+      Portfolio& portfolio = *portfolios_[c];
+      showing.begin(c);
+      while (!portfolio.is_solved() && !progress_.is_cancelled() &&
+             (options_.max_iterations == 0 || portfolio.mark() < options_.max_iterations)) {
+        showing.before_round();
+        portfolio.advance(progress_, options_.max_iterations);
+        if (!showing.after_round()) progress_.cancel();
+      }
+      whole_.set(models_[c], portfolio.stream(portfolio.best()).best_folds());
+    }
+    const double before = thread_cpu_seconds();
+    result_.net = whole_.net();
+    result_.overlaps = find_overlaps(result_.net, kSolveDepth);
+    result_.cpu_seconds += thread_cpu_seconds() - before;
+    showing.finish(result_.net, result_.overlaps);
+  }
+
+  // Figures and the replay's log of the streams that won (or came nearest).
+  void collect() {
+    result_.iterations = result_.moves = result_.restarts = 0;
+    result_.log.clear();
+    WholeTree replay(dual_, options_.root);
+    for (std::size_t c = 0; c < models_.size(); ++c)
+      replay.set(models_[c], portfolios_[c]->stream(portfolios_[c]->best()).episodes().front().start_folds);
+    for (std::size_t c = 0; c < models_.size(); ++c) {
+      const Portfolio& portfolio = *portfolios_[c];
+      const TabuSolver& solver = portfolio.stream(portfolio.best());
+      result_.stream = portfolio.best();
+      result_.iterations += solver.iterations();
+      result_.moves += solver.moves();
+      result_.restarts += solver.restarts();
+      result_.cpu_seconds += portfolio.cpu_seconds();
+      for (const SearchEpisode& episode : solver.episodes()) {
+        replay.set(models_[c], episode.start_folds);
+        Episode shown{replay.tree(), episode.overlaps_at_start, {}};
+        for (const auto& move : episode.moves) shown.moves.push_back(to_record(models_[c], move));
+        result_.log.push_back(std::move(shown));
+      }
+      replay.set(models_[c], solver.best_folds());
+    }
+  }
+
+  void prove() {
+    const double before = thread_cpu_seconds();
+    result_.proof = verify(to_flat_net(result_.net, 1), static_cast<int>(models_.size()));
+    result_.is_proved = result_.proof.is_net;
+    result_.verify_seconds += thread_cpu_seconds() - before;
+  }
+
+  std::shared_ptr<const DualGraph> dual_;
+  const SolveOptions& options_;
+  Progress& progress_;
+  const SolveHooks& hooks_;
+  std::vector<SearchModel> models_;
+  ThreadPool pool_;
+  WholeTree whole_;
+  std::vector<std::unique_ptr<Portfolio>> portfolios_;
+  SolveResult result_;
+};
+
+}  // namespace
+
+SolveResult solve(std::shared_ptr<const DualGraph> dual, const SolveOptions& options, Progress& progress,
+                  const SolveHooks& hooks) {
+  return SolveJob(std::move(dual), options, progress, hooks).run();
+}
+
+}  // namespace netwright

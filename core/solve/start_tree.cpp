@@ -1,0 +1,161 @@
+// Grows start trees. Both return fold flags per halfedge, which is all the search needs.
+#include "core/solve/start_tree.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "core/solve/boxes16.h"
+#include "core/unfold/overlap.h"
+#include "core/unfold/steepest_edge.h"
+
+namespace netwright {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+class GreedyTree {
+ public:
+  GreedyTree(const SearchModel& model, Random& random, double depth)
+      : m_(model), random_(random), depth_(depth), inverse_size_(1 / std::sqrt(model.total_area)) {
+    folds_.assign(at(m_.n_halfedges), 0);
+    is_placed_.assign(at(m_.n_faces), 0);
+    placement_.resize(at(m_.n_faces));
+    world_.resize(m_.verts.size());
+    lanes_.resize(m_.n_faces);
+  }
+
+  std::vector<char> grow() {
+    place(random_.below(m_.n_faces), Rigid2(), -1);
+    while (n_placed_ < m_.n_faces) {
+      while (!heap_.empty()) {
+        const int h = heap_.top().halfedge;
+        heap_.pop();
+        if (is_placed_[at(m_.beyond(h))]) continue;
+        if (count_overlaps(h, 1) == 0) {
+          place(m_.beyond(h), motion(h), h);
+        } else {
+          aside_.push_back(h);
+        }
+      }
+      if (n_placed_ < m_.n_faces) force_one();
+    }
+    return std::move(folds_);
+  }
+
+ private:
+  struct Candidate {
+    double key;
+    int halfedge;
+    // Ties go to the smaller halfedge, so the order is the same everywhere.
+    bool operator<(const Candidate& other) const {
+      return key != other.key ? key < other.key : halfedge > other.halfedge;
+    }
+  };
+
+  [[nodiscard]] Rigid2 motion(int h) const { return placement_[at(m_.face_of[at(h)])] * m_.unroll[at(h)]; }
+
+  void place(int f, const Rigid2& placement, int through) {
+    placement_[at(f)] = placement;
+    is_placed_[at(f)] = 1;
+    if (through >= 0) folds_[at(through)] = folds_[at(m_.twin[at(through)])] = 1;
+    lanes_.set(n_placed_++, move_vertices(f, placement, world_.data() + m_.first_vert(f)));
+    placed_.push_back(f);
+    for (int h = m_.face_begin[at(f)]; h < m_.face_begin[at(f) + 1]; ++h) {
+      if (m_.twin[at(h)] < 0 || is_placed_[at(m_.beyond(h))]) continue;
+      const Rigid2 there = placement * m_.unroll[at(h)];
+      const double distance = std::sqrt(there.x * there.x + there.y * there.y);
+      heap_.push({distance * inverse_size_ + 0.5 * m_.edge_length[at(h)] + 0.3 * random_.unit(), h});
+    }
+  }
+
+  BoxF move_vertices(int f, const Rigid2& placement, glm::dvec2* out) const {
+    Box2 box;
+    for (int v = m_.first_vert(f); v < m_.last_vert(f); ++v) {
+      *out = placement(m_.verts[at(v)]);
+      box.add(*out++);
+    }
+    return BoxF::around(box.min.x, box.min.y, box.max.x, box.max.y);
+  }
+
+  // Overlaps the face beyond h would have with all placed ones; stops at `limit`.
+  int count_overlaps(int h, int limit) {
+    const int f = m_.beyond(h);
+    moved_.resize(at(m_.last_vert(f) - m_.first_vert(f)));
+    const BoxF box = move_vertices(f, motion(h), moved_.data());
+    int count = 0;
+    for (int block = 0; 16 * block < n_placed_; ++block) {
+      unsigned hits = lanes_.hits(block, box);
+      while (hits != 0 && count < limit) {
+        const int other = placed_[at(16 * block + std::countr_zero(hits))];
+        hits &= hits - 1;
+        count += overlaps_placed(f, other) ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  [[nodiscard]] bool overlaps_placed(int f, int other) const {
+    const std::span<const glm::dvec2> world(world_);
+    const std::span<const glm::dvec2> moved(moved_);
+    const auto run = [&](std::span<const glm::dvec2> from, int part, int base) {
+      return from.subspan(at(m_.vert_begin[at(part)] - base),
+                          at(m_.vert_begin[at(part) + 1] - m_.vert_begin[at(part)]));
+    };
+    for (int i = m_.part_begin[at(f)]; i < m_.part_begin[at(f) + 1]; ++i)
+      for (int j = m_.part_begin[at(other)]; j < m_.part_begin[at(other) + 1]; ++j)
+        if (convex_overlap(run(moved, i, m_.first_vert(f)), run(world, j, 0), depth_)) return true;
+    return false;
+  }
+
+  void force_one() {
+    std::erase_if(aside_, [this](int h) { return is_placed_[at(m_.beyond(h))] != 0; });
+    int best = -1;
+    int least = std::numeric_limits<int>::max();
+    const int n = static_cast<int>(aside_.size());
+    for (int k = 0; k < std::min(n, kSamples) && least > 1; ++k) {
+      std::swap(aside_[at(k)], aside_[at(k + random_.below(n - k))]);
+      const int count = count_overlaps(aside_[at(k)], least);
+      if (count < least) {
+        least = count;
+        best = aside_[at(k)];
+      }
+    }
+    place(m_.beyond(best), motion(best), best);
+  }
+
+  static constexpr int kSamples = 48;
+  const SearchModel& m_;
+  Random& random_;
+  double depth_;
+  double inverse_size_;
+  int n_placed_ = 0;
+  std::vector<char> folds_;
+  std::vector<char> is_placed_;
+  std::vector<Rigid2> placement_;
+  std::vector<glm::dvec2> world_;
+  std::vector<glm::dvec2> moved_;
+  std::vector<int> placed_;
+  BoxLanes lanes_;
+  std::priority_queue<Candidate> heap_;
+  std::vector<int> aside_;
+};
+
+}  // namespace
+
+std::vector<char> greedy_folds(const SearchModel& model, Random& random, double depth) {
+  return GreedyTree(model, random, depth).grow();
+}
+
+std::vector<char> steepest_edge_folds(const DualGraph& dual, const SearchModel& model, Random& random) {
+  const UnfoldTree tree = steepest_edge_tree(dual, random);
+  std::vector<char> folds(at(model.n_halfedges), 0);
+  for (int h = 0; h < model.n_halfedges; ++h)
+    folds[at(h)] = tree.is_fold(dual.mesh(), dual.mesh().edge(model.mesh_halfedge[at(h)])) ? 1 : 0;
+  return folds;
+}
+
+}  // namespace netwright

@@ -1,0 +1,22 @@
+// Start trees for the search: the paper's steepest edge (section 4.2), and a greedy one that looks at
+// overlaps while it grows and starts the search some twenty times nearer to a net.
+#pragma once
+
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/solve/search_model.h"
+#include "core/unfold/unfold_tree.h"
+
+namespace netwright {
+
+/// Folds of a tree grown from a random face: the half-edge with the largest key |place of the new face's
+/// centre| / sqrt(area) + 0.5 edge / mean edge + 0.3 random goes first; a face that would overlap what is
+/// placed already is put aside, and when nothing else is left the least overlapping of up to 48 sampled ones
+/// is forced in.
+std::vector<char> greedy_folds(const SearchModel& model, Random& random, double depth);
+
+/// Folds of the paper's start tree for a random direction.
+std::vector<char> steepest_edge_folds(const DualGraph& dual, const SearchModel& model, Random& random);
+
+}  // namespace netwright

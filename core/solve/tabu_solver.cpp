@@ -1,0 +1,254 @@
+// Algorithm 3 of the paper with the accelerations named in SearchSettings. Section numbers are the paper's.
+#include "core/solve/tabu_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/predicates.h"
+#include "core/solve/start_tree.h"
+
+namespace netwright {
+
+namespace {
+
+// Incremental placements drift by a rounding per move; after so many they are computed anew from the tree.
+constexpr std::int64_t kMovesBetweenChecks = 2000;
+// The log feeds the replay; beyond this many moves the oldest episodes are let go.
+constexpr std::int64_t kLoggedMoves = 500'000;
+constexpr int kUnbounded = 1 << 29;
+
+// m = val · log_val |F| (4.4), at least one.
+std::size_t memory_length(const SearchModel& model) {
+  const double val = std::max(model.mean_valence, 1.5);
+  return static_cast<std::size_t>(
+      std::max(1.0, val * std::log(static_cast<double>(model.n_faces)) / std::log(val)));
+}
+
+}  // namespace
+
+TabuSolver::TabuSolver(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
+                       std::uint64_t seed, std::uint64_t stream)
+    : dual_(&dual), model_(&model), settings_(settings), random_(seed, stream), state_(model, kSolveDepth) {
+  level_.resize(at(model.n_faces));
+  memory_.assign(memory_length(model), -1);
+  times_tabu_.assign(at(model.n_halfedges), 0);
+  best_overlaps_ = kUnbounded;
+  start();
+  check_solved();
+}
+
+void TabuSolver::start() {
+  state_.set_tree(settings_.greedy_start ? greedy_folds(*model_, random_, kSolveDepth)
+                                         : steepest_edge_folds(*dual_, *model_, random_));
+  clear_memory();
+  stuck_face_ = -1;
+  episode_first_iteration_ = last_gain_ = iterations_;
+  episode_best_ = state_.overlaps();
+  if (logged_moves_ > kLoggedMoves) {
+    episodes_.clear();
+    logged_moves_ = 0;
+  }
+  episodes_.push_back({state_.folds(), state_.overlaps(), {}});
+  note_best();
+}
+
+void TabuSolver::step() {
+  if (is_solved_) return;
+  ++iterations_;
+  choose_face();
+  choose_root();
+  count_crossings();
+  climb();
+  if (climb_.best.is_found) {
+    move();
+    check_solved();
+  } else if (!climb_.saw_free && climb_.saw_tabu) {
+    clear_memory();  // every way is barred by the memory alone (4.4)
+  } else if (!climb_.saw_free) {
+    stuck_face_ = climb_.chosen;  // root lock: all neighbours lie in the face's own subtree (4.5)
+  }
+  if (!is_solved_ &&
+      iterations_ - last_gain_ > static_cast<std::int64_t>(settings_.restart_after) * model_->n_faces) {
+    ++restarts_;
+    start();
+    check_solved();
+  }
+}
+
+// A random overlapping face (4.3), or the one that was stuck.
+void TabuSolver::choose_face() {
+  const auto& faces = state_.overlapping_faces();
+  climb_.chosen = faces[at(random_.below(static_cast<int>(faces.size())))];
+  if (stuck_face_ >= 0 && std::find(faces.begin(), faces.end(), stuck_face_) != faces.end())
+    climb_.chosen = stuck_face_;
+}
+
+void TabuSolver::choose_root() {
+  const int x = climb_.chosen;
+  if (model_->n_faces > 1 && x == stuck_face_) {
+    // Reroot into the stuck face's subtree, so that the climb from it runs the other way (4.5).
+    const int size = state_.end(x) - state_.position(x);
+    climb_.root = size > 1 ? state_.face_at(state_.position(x) + 1 + random_.below(size - 1))
+                           : random_.below(model_->n_faces);
+    stuck_face_ = -1;
+  } else if (settings_.random_root_share >= 1 || random_.unit() < settings_.random_root_share) {
+    climb_.root = random_.below(model_->n_faces);
+  } else {
+    climb_.root = x;
+  }
+  if (climb_.root == x && settings_.random_root_share < 1) {
+    int n = 0;
+    for (const auto& [a, b] : state_.pairs())
+      if ((a == x || b == x) && random_.below(++n) == 0) climb_.root = a == x ? b : a;
+  }
+  state_.root_at(climb_.root);
+  climb_.path.clear();
+  for (int f = x; f != climb_.root; f = model_->beyond(state_.up(f))) climb_.path.push_back(f);
+  climb_.path.push_back(climb_.root);
+}
+
+// For the nested near sides S_0 < S_1 < … of the climb: how many stored overlaps have exactly one end inside.
+// One pass: every position gets the level of the first side that holds it; a pair of levels a < b crosses
+// sides a … b-1.
+void TabuSolver::count_crossings() {
+  const std::size_t n_edges = climb_.path.size() - 1;
+  climb_.crossings.assign(n_edges + 1, 0);
+  std::fill(level_.begin(), level_.end(), static_cast<int>(n_edges));
+  int first = 0;
+  int last = 0;
+  for (std::size_t i = 0; i < n_edges; ++i) {
+    const int begin = state_.position(climb_.path[i]);
+    const int end = state_.end(climb_.path[i]);
+    if (i == 0) first = last = begin;
+    std::fill(level_.begin() + begin, level_.begin() + first, static_cast<int>(i));
+    std::fill(level_.begin() + last, level_.begin() + end, static_cast<int>(i));
+    first = begin;
+    last = end;
+  }
+  for (const auto& [a, b] : state_.pairs()) {
+    const int x = level_[at(state_.position(a))];
+    const int y = level_[at(state_.position(b))];
+    if (x == y) continue;
+    ++climb_.crossings[at(std::min(x, y))];
+    --climb_.crossings[at(std::max(x, y))];
+  }
+  for (std::size_t i = 1; i <= n_edges; ++i) climb_.crossings[i] += climb_.crossings[i - 1];
+}
+
+// The worst change a move may bring, drawn before the climb: a Metropolis rule turned into a bound, so that
+// counting can stop early from the first candidate on. The paper takes the best move however bad.
+int TabuSolver::draw_bound() {
+  if (!settings_.bounds_worsening) return kUnbounded;
+  const double tooth = static_cast<double>(settings_.period) * model_->n_faces;
+  const double phase = std::fmod(static_cast<double>(iterations_ - episode_first_iteration_), tooth) / tooth;
+  const double temperature = settings_.hottest * std::pow(settings_.coldest / settings_.hottest, phase);
+  return static_cast<int>(-temperature * std::log(1 - random_.unit())) + 1;
+}
+
+// From the chosen face to the root: the first edge with an improving exchange wins, else the best on the way
+// (4.3).
+void TabuSolver::climb() {
+  climb_.bound = draw_bound();
+  climb_.saw_tabu = climb_.saw_free = false;
+  climb_.best = {};
+  for (std::size_t i = 0; i + 1 < climb_.path.size(); ++i) {
+    try_edge(i);
+    if (climb_.best.is_found && climb_.best.delta < 0) return;
+  }
+}
+
+// All exchanges that replace the tree edge between path[i] and its parent.
+void TabuSolver::try_edge(std::size_t i) {
+  const int x = climb_.path[i];
+  const int parent = climb_.path[i + 1];
+  const int first = state_.position(x);
+  const int last = state_.end(x);
+  const int up = state_.up(x);
+  const auto in_subtree = [&](int f) { return state_.position(f) >= first && state_.position(f) < last; };
+  const SearchModel& m = *model_;
+  for (int h = m.face_begin[at(x)]; h < m.face_begin[at(x) + 1]; ++h)
+    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && !in_subtree(m.beyond(h)))
+      try_reattach(h, x, true, climb_.crossings[i], up);
+  if (!settings_.two_sided) return;
+  for (int h = m.face_begin[at(parent)]; h < m.face_begin[at(parent) + 1]; ++h)
+    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && in_subtree(m.beyond(h)))
+      try_reattach(h, x, false, climb_.crossings[i], m.twin[at(up)]);
+}
+
+// Re-attaches the face of `halfedge` beyond it. The near side is the subtree of `side_root`; when the
+// re-attached face is not in it, the rest moves, which is the same as moving the near side by the inverse.
+void TabuSolver::try_reattach(int halfedge, int side_root, bool moves_subtree, int crossing, int removed) {
+  if (times_tabu_[at(halfedge)] > 0) {
+    climb_.saw_tabu = true;
+    return;
+  }
+  climb_.saw_free = true;
+  const int limit = climb_.bound + crossing;
+  if (limit <= 0) return;
+  const SearchModel& m = *model_;
+  const int face = m.face_of[at(halfedge)];
+  const int twin = m.twin[at(halfedge)];
+  const Rigid2 there = state_.placement(m.face_of[at(twin)]) * m.unroll[at(twin)];
+  Exchange exchange;
+  exchange.first = state_.position(side_root);
+  exchange.last = state_.end(side_root);
+  exchange.motion =
+      moves_subtree ? there * state_.placement(face).inverse() : state_.placement(face) * there.inverse();
+  exchange.removed = removed;
+  exchange.inserted = halfedge;
+  const int count = state_.count_after(exchange, settings_.counts_bounded ? limit : kUnbounded);
+  if (count >= limit) return;
+  climb_.bound = count - crossing;
+  climb_.best = {exchange, count - crossing, true};
+}
+
+void TabuSolver::move() {
+  const Exchange& exchange = climb_.best.exchange;
+  state_.apply(exchange);
+  memorize(exchange.removed);
+  ++moves_;
+  ++moves_since_check_;
+  ++logged_moves_;
+  episodes_.back().moves.push_back(
+      {climb_.chosen, climb_.root, exchange.removed, exchange.inserted, state_.overlaps()});
+  if (moves_since_check_ >= kMovesBetweenChecks) {
+    state_.recompute();
+    moves_since_check_ = 0;
+  }
+  if (state_.overlaps() < episode_best_) {
+    episode_best_ = state_.overlaps();
+    last_gain_ = iterations_;
+  }
+  note_best();
+}
+
+// What left the tree may not come back while it is remembered (4.4).
+void TabuSolver::memorize(int halfedge) {
+  int& slot = memory_[memory_next_];
+  if (slot >= 0) --times_tabu_[at(slot)];
+  slot = halfedge;
+  ++times_tabu_[at(halfedge)];
+  memory_next_ = (memory_next_ + 1) % memory_.size();
+}
+
+void TabuSolver::clear_memory() {
+  std::fill(memory_.begin(), memory_.end(), -1);
+  std::fill(times_tabu_.begin(), times_tabu_.end(), 0);
+  memory_next_ = 0;
+}
+
+void TabuSolver::note_best() {
+  if (state_.overlaps() >= best_overlaps_) return;
+  best_overlaps_ = state_.overlaps();
+  best_folds_ = state_.folds();
+}
+
+void TabuSolver::check_solved() {
+  if (state_.overlaps() > 0) return;
+  state_.recompute();
+  moves_since_check_ = 0;
+  is_solved_ = state_.overlaps() == 0;
+  if (!is_solved_) best_overlaps_ = std::max(1, state_.overlaps());
+}
+
+}  // namespace netwright

@@ -1,0 +1,131 @@
+// The search itself: Algorithm 3 of "Unfolding Polyhedra via Tabu Search", one step at a time. Seeded, no
+// thread, no clock. Every departure from the paper is a setting, and SearchSettings::paper() switches them
+// all off.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/solve/search_state.h"
+#include "core/solve/snapshot.h"
+
+namespace netwright {
+
+struct SearchSettings {
+  bool greedy_start = true;  ///< overlap-aware greedy tree; otherwise the paper's steepest edge (4.2)
+  bool two_sided = true;     ///< also re-attach the parent to the moved side: the same tree path, more moves
+  double random_root_share = 0.3;  ///< the paper roots at random (4.5); the rest roots at an overlap partner,
+                                   ///< so that the climb covers exactly the tree path that has to change
+  bool bounds_worsening = true;  ///< Metropolis bound on the best worsening move, drawn before the climb
+  bool counts_bounded =
+      true;             ///< stop counting overlaps once a candidate cannot win; never changes the answer
+  double hottest = 16;  ///< sawtooth of the bound's temperature, in overlaps
+  double coldest = 0.8;
+  int period = 5;         ///< iterations per face of one tooth
+  int restart_after = 5;  ///< iterations per face without a new fewest before a new start tree
+
+  static SearchSettings fast() { return {}; }
+  static SearchSettings paper() {
+    SearchSettings s;
+    s.greedy_start = false;
+    s.two_sided = false;
+    s.random_root_share = 1;
+    s.bounds_worsening = false;
+    s.counts_bounded = false;
+    s.restart_after = 50;
+    return s;
+  }
+};
+
+/// A stretch of the search from one start tree, in the component's own numbering.
+struct SearchEpisode {
+  std::vector<char> start_folds;
+  int overlaps_at_start = 0;
+  struct Move {
+    int chosen, root, removed, inserted, overlaps_after;
+  };
+  std::vector<Move> moves;
+};
+
+class TabuSolver {
+ public:
+  /// `stream` tells searches of one seed apart. The dual graph and the model must outlive the solver.
+  TabuSolver(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
+             std::uint64_t seed, std::uint64_t stream);
+
+  /// One iteration: choose an overlapping face, climb, move (or find every way barred). Does nothing when
+  /// solved.
+  void step();
+
+  /// No overlaps, after placing and detecting everything anew.
+  [[nodiscard]] bool is_solved() const { return is_solved_; }
+  [[nodiscard]] const SearchState& state() const { return state_; }
+  [[nodiscard]] const std::vector<char>& best_folds() const { return best_folds_; }
+  [[nodiscard]] int best_overlaps() const { return best_overlaps_; }
+  [[nodiscard]] std::int64_t iterations() const { return iterations_; }
+  [[nodiscard]] std::int64_t moves() const { return moves_; }
+  [[nodiscard]] int restarts() const { return restarts_; }
+  /// What happened since the start; early episodes of very long searches are dropped.
+  [[nodiscard]] const std::vector<SearchEpisode>& episodes() const { return episodes_; }
+
+ private:
+  struct Choice {
+    Exchange exchange;
+    int delta = 0;
+    bool is_found = false;
+  };
+  struct Climb {
+    int chosen = -1;
+    int root = -1;
+    std::vector<int> path;       // chosen face first, root last
+    std::vector<int> crossings;  // per tree edge of the path: stored overlaps between its two sides
+    int bound = 0;               // only a change below this can win
+    bool saw_tabu = false;
+    bool saw_free = false;
+    Choice best;
+  };
+
+  void start();
+  void choose_face();
+  void choose_root();
+  void count_crossings();
+  void climb();
+  void try_edge(std::size_t i);
+  void try_reattach(int halfedge, int moved_side_root, bool moves_subtree, int crossing, int removed);
+  void move();
+  void memorize(int halfedge);
+  void clear_memory();
+  void check_solved();
+  void note_best();
+  [[nodiscard]] int draw_bound();
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  const DualGraph* dual_;
+  const SearchModel* model_;
+  SearchSettings settings_;
+  Random random_;
+  SearchState state_;
+  Climb climb_;
+  std::vector<int> level_;
+  int stuck_face_ = -1;
+
+  std::vector<int> memory_;      // the tabu list: a ring of re-attachments that may not be undone
+  std::vector<int> times_tabu_;  // per halfedge
+  std::size_t memory_next_ = 0;
+
+  std::vector<char> best_folds_;
+  int best_overlaps_ = 0;
+  bool is_solved_ = false;
+  std::int64_t iterations_ = 0;
+  std::int64_t episode_first_iteration_ = 0;
+  std::int64_t last_gain_ = 0;  // iteration of the episode's last new fewest
+  int episode_best_ = 0;
+  std::int64_t moves_ = 0;
+  std::int64_t moves_since_check_ = 0;
+  std::int64_t logged_moves_ = 0;
+  int restarts_ = 0;
+  std::vector<SearchEpisode> episodes_;
+};
+
+}  // namespace netwright
