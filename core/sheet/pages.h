@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
-#include "core/base/paper.h"
+#include "core/sheet/page_frame.h"
 #include "core/unfold/net.h"
 
 namespace netwright {
@@ -18,19 +18,6 @@ struct PrintSize {
   Kind kind = Kind::FitPage;
   double height_mm = 150;  ///< height of the finished model, for Kind::Height
   bool operator==(const PrintSize&) const = default;
-};
-
-/// One empty page: its size and what is reserved on it, in mm from its top left corner. The strips never
-/// overlap.
-struct PageFrame {
-  double width_mm = 0;
-  double height_mm = 0;
-  Box2 printable;  ///< the paper without its margins; nothing is drawn outside
-  Box2 header;     ///< title block
-  Box2 footer;     ///< legend, and the ruler where the page is wide enough
-  Box2 side;       ///< upright ruler on narrow pages, empty otherwise
-  Box2 net;        ///< what is left for the net
-  [[nodiscard]] bool is_landscape() const { return width_mm > height_mm; }
 };
 
 struct PageLayout {
@@ -81,9 +68,6 @@ struct PageLayout {
 /// one scale. Throws Error(Usage): unknown paper, margins that leave no room, a model without height, over
 /// 1000 pages.
 PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size);
-
-/// The page of a setup, Auto taken as upright. Throws as arrange does.
-PageFrame page_frame(const PaperSetup& paper);
 
 /// The same net with its pieces side by side instead of on top of each other; one piece is left as it is.
 Net spread_pieces(Net net);

@@ -1,0 +1,74 @@
+// How a page is divided: margins, title block, legend and ruler, and the rest for the net.
+#include "core/sheet/page_frame.h"
+
+#include <string>
+
+#include "core/base/error.h"
+#include "core/sheet/number_text.h"
+#include "core/sheet/print_style.h"
+
+namespace netwright {
+
+namespace {
+
+using namespace print_style;
+
+PaperFormat checked_format(const PaperSetup& paper) {
+  const auto format = find_paper(paper.format);
+  if (!format) {
+    std::string known;
+    for (const PaperFormat& f : paper_formats()) known += (known.empty() ? "" : ", ") + std::string(f.name);
+    throw Error(ErrorKind::Usage,
+                "There is no paper called \"" + paper.format + "\"; choose one of " + known + ".");
+  }
+  return *format;
+}
+
+PageFrame make_frame(const PaperSetup& paper, bool is_landscape) {
+  const PaperFormat format = checked_format(paper);
+  PageFrame frame;
+  frame.width_mm = is_landscape ? format.height_mm : format.width_mm;
+  frame.height_mm = is_landscape ? format.width_mm : format.height_mm;
+  const double margin = paper.margin_mm;
+  frame.printable = {{margin, margin}, {frame.width_mm - margin, frame.height_mm - margin}};
+  const glm::dvec2 low = frame.printable.min;
+  const glm::dvec2 high = frame.printable.max;
+  const double width = high.x - low.x;
+
+  // Legend and ruler share the footer where the page is wide enough; else they stack, and on a page narrower
+  // than the ruler it stands upright along the left side.
+  const bool is_one_row = width >= 3 * kLegendColumn + kRulerLength + 5;
+  const bool has_upright_ruler = width < kRulerLength + 1;
+  const double footer = is_one_row          ? kFooterHeight
+                        : has_upright_ruler ? kLegendHeight
+                                            : kFooterHeight + kLegendHeight;
+  frame.header = {low, {high.x, low.y + kHeaderHeight}};
+  frame.footer = {{low.x, high.y - footer}, high};
+  frame.net = {{low.x, frame.header.max.y + kStripGap}, {high.x, frame.footer.min.y - kStripGap}};
+  if (has_upright_ruler) {
+    frame.side = {frame.net.min, {low.x + kSideWidth, frame.net.max.y}};
+    frame.net.min.x = frame.side.max.x + kStripGap;
+  }
+  frame.net.min += kNetInset;
+  frame.net.max -= kNetInset;
+  const glm::dvec2 room = frame.net.size();
+  if (!(margin >= 0) || !(room.x >= kLeastNetSide) || !(room.y >= kLeastNetSide))
+    throw Error(ErrorKind::Usage, "A margin of " + short_number(margin) + " mm leaves no room for a net on " +
+                                      std::string(format.name) + " paper; choose a margin from 0 to 20 mm.");
+  return frame;
+}
+
+}  // namespace
+
+PageFrame page_frame(const PaperSetup& paper) {
+  return make_frame(paper, paper.orientation == Orientation::Landscape);
+}
+
+std::vector<PageFrame> possible_frames(const PaperSetup& paper) {
+  std::vector<PageFrame> frames;
+  if (paper.orientation != Orientation::Landscape) frames.push_back(make_frame(paper, false));
+  if (paper.orientation != Orientation::Portrait) frames.push_back(make_frame(paper, true));
+  return frames;
+}
+
+}  // namespace netwright
