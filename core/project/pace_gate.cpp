@@ -16,10 +16,9 @@ constexpr std::chrono::milliseconds kMostCatchUp{50};
 Pace PaceGate::wait() {
   std::unique_lock lock(mutex_);
   while (!is_stopped_) {
-    const auto now = Clock::now();
     if (steps_ > 0) {
       --steps_;
-      last_move_ = now;
+      last_move_ = Clock::now();
       return Pace::Move;
     }
     if (is_paused_) {
@@ -27,6 +26,7 @@ Pace PaceGate::wait() {
       continue;
     }
     if (std::isinf(speed_)) return Pace::Full;
+    const auto now = Clock::now();
     const auto due =
         last_move_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / speed_));
     if (due <= now) {

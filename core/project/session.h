@@ -13,6 +13,7 @@
 #include "core/mesh/mesh_report.h"
 #include "core/mesh/read.h"
 #include "core/project/project.h"
+#include "core/project/run_figures.h"
 #include "core/project/shown_net.h"
 #include "core/sheet/sheet.h"
 #include "core/solve/solve.h"
@@ -26,21 +27,6 @@ enum class RunState {
   Running,    ///< the search is running
   Paused,     ///< it waits: step or resume
   Replaying,  ///< it is over and its recorded moves are played back
-};
-
-/// The figures in the status bar, true at the moment of the call.
-struct RunFigures {
-  int faces = 0;
-  int overlaps = 0;
-  int overlaps_at_start = 0;
-  int best_overlaps = 0;
-  std::int64_t moves = 0;
-  double moves_per_second = 0;
-  int restarts = 0;
-  std::uint64_t seed = 0;
-  double seconds = 0;
-  std::vector<int> history;  ///< overlaps over moves, for the chart
-  std::int64_t history_stride = 1;
 };
 
 struct Message {

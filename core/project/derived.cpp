@@ -1,0 +1,66 @@
+// The chain tree -> net -> overlaps -> pages -> sheets. Each link compares what it depends on with the
+// Derived before and takes that one's result over when nothing changed.
+#include "core/project/derived.h"
+
+#include "core/base/error.h"
+#include "core/base/predicates.h"
+
+namespace netwright {
+
+namespace {
+
+std::shared_ptr<const ShownNet> derive_net(const Project& project, const Derived* before,
+                                           std::uint64_t version) {
+  if (!project.tree) return nullptr;
+  const bool is_proved = project.run && project.run->is_proved;
+  if (before && before->shown && before->source.dual == project.dual && before->source.tree == project.tree &&
+      before->shown->is_proved == is_proved)
+    return before->shown;
+  Net net = layout(project.dual, *project.tree);
+  std::vector<Overlap> overlaps = find_overlaps(net, kSolveDepth);
+  ShownNet shown = make_shown_net(std::move(net), std::move(overlaps), is_proved);
+  shown.version = version;
+  return std::make_shared<const ShownNet>(std::move(shown));
+}
+
+void derive_sheets(Derived& derived, const Derived* before) {
+  const Project& project = derived.source;
+  const bool is_same_run = before && before->source.run == project.run && before->shown == derived.shown;
+  if (is_same_run && before->source.paper == project.paper && before->source.size == project.size) {
+    derived.pages = before->pages;
+    derived.sheets = before->sheets;
+    derived.fault = before->fault;
+    return;
+  }
+  try {
+    const Net& net = derived.shown->net;
+    derived.pages = std::make_shared<const PageLayout>(arrange(net, project.paper, project.size));
+    derived.sheets =
+        std::make_shared<const std::vector<Sheet>>(draw_sheets(net, *derived.pages, sheet_info(project)));
+  } catch (const Error& error) {
+    derived.pages = nullptr;
+    derived.fault = error.what();
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const Derived> derive(const Project& project, const std::shared_ptr<const Derived>& before,
+                                      std::uint64_t version, Progress& progress) {
+  auto derived = std::make_shared<Derived>();
+  derived->source = project;
+  if (progress.is_cancelled()) return derived;
+  derived->shown = derive_net(project, before.get(), version);
+  if (progress.is_cancelled()) return derived;
+  if (derived->shown && derived->shown->is_proved) derive_sheets(*derived, before.get());
+  return derived;
+}
+
+SheetInfo sheet_info(const Project& project) {
+  SheetInfo info;
+  info.is_proved = project.run && project.run->is_proved;
+  if (project.run) info.seed = project.run->seed;
+  return info;
+}
+
+}  // namespace netwright

@@ -1,0 +1,33 @@
+// All that follows from a Project: net, overlaps, kinds of edges, pages and sheets, worked out in one place
+// and one order, and again only where something it depends on has changed.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/project/project.h"
+#include "core/project/shown_net.h"
+#include "core/sheet/pages.h"
+#include "core/sheet/sheet.h"
+
+namespace netwright {
+
+struct Derived {
+  Project source;                           ///< what it was made from
+  std::shared_ptr<const ShownNet> shown;    ///< null without a tree
+  std::shared_ptr<const PageLayout> pages;  ///< this and the sheets: null unless the net is proved
+  std::shared_ptr<const std::vector<Sheet>> sheets;
+  std::string fault;  ///< why there are no sheets (margins that leave no room …), one sentence; else empty
+};
+
+/// `before` may be null; parts of it whose sources are unchanged are shared; a net that is made anew gets
+/// `version`. Stops early with what there is
+/// when `progress` is cancelled. Takes milliseconds for hundreds of faces: a chore for the worker.
+std::shared_ptr<const Derived> derive(const Project& project, const std::shared_ptr<const Derived>& before,
+                                      std::uint64_t version, Progress& progress);
+
+/// What the title block of a project's sheets says.
+SheetInfo sheet_info(const Project& project);
+
+}  // namespace netwright

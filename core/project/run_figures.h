@@ -1,0 +1,24 @@
+// The figures of a run, as the status bar and the chart show them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace netwright {
+
+/// The figures in the status bar, true at the moment of the call.
+struct RunFigures {
+  int faces = 0;
+  int overlaps = 0;
+  int overlaps_at_start = 0;
+  int best_overlaps = 0;
+  std::int64_t moves = 0;
+  double moves_per_second = 0;
+  int restarts = 0;
+  std::uint64_t seed = 0;
+  double seconds = 0;
+  std::vector<int> history;  ///< overlaps over moves, for the chart
+  std::int64_t history_stride = 1;
+};
+
+}  // namespace netwright

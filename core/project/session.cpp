@@ -1,0 +1,225 @@
+// The session's commands: what the user asks for. What comes back from the worker is taken in by
+// session_poll.cpp.
+#include "core/project/session.h"
+
+#include <cmath>
+
+#include "core/project/commands.h"
+#include "core/project/session_impl.h"
+
+namespace netwright {
+
+Session::Impl::Impl(Clock clock_function) : clock(std::move(clock_function)) {}
+
+Session::Impl::~Impl() {
+  bell->set_listener({});
+  run.reset();  // a search that waits at its gate would keep the worker from joining
+}
+
+void Session::Impl::say(Message::Kind kind, std::string text) {
+  messages.push_back({kind, std::move(text), ++n_messages});
+}
+
+std::shared_ptr<ShownNet> Session::Impl::stamp(std::shared_ptr<ShownNet> net) {
+  net->version = ++n_versions;
+  return net;
+}
+
+void Session::Impl::start_run(SearchRun::Start start) {
+  SolveOptions options;
+  options.seed = project().seed;
+  options.streams = streams;
+  options.root = project().pinned_root;
+  is_timed_out = was_stopped = false;
+  run.reset();  // its job is told to end before the new one is queued
+  run = std::make_unique<SearchRun>(worker, project().dual, options, bell, start, speed, clock());
+}
+
+void Session::Impl::discard_run() {
+  run.reset();
+  moving = nullptr;
+}
+
+void Session::Impl::edit(std::string label, Project next) {
+  history.push(std::move(label), std::move(next));
+  derive_again();
+}
+
+void Session::Impl::move_in_history(void (History::*move)()) {
+  end_replay();
+  discard_run();
+  if (is_unfinished && project().tree && move == &History::undo) {
+    drop_result();
+    return;
+  }
+  const std::shared_ptr<const UnfoldTree> tree = project().tree;
+  (history.*move)();
+  if (project().tree != tree) drop_result();
+  derive_again();
+}
+
+void Session::Impl::drop_result() {
+  is_unfinished = false;
+  last_figures.reset();
+  settled = project().tree && derived ? derived->shown : nullptr;
+}
+
+void Session::Impl::relay_unfinished(FaceId root) {
+  if (!is_unfinished || !root.is_valid()) return;
+  const ShownNet& old = *settled;
+  auto shown = std::make_shared<ShownNet>(
+      make_shown_net(layout_from(old.net.dual, old.net.tree, {root}), old.overlaps, false));
+  settled = stamp(std::move(shown));
+}
+
+Session::Session(Clock clock) : impl_(std::make_unique<Impl>(std::move(clock))) {}
+Session::~Session() = default;
+
+bool Session::poll() { return impl_->poll(); }
+
+void Session::set_wake(std::function<void()> wake) { impl_->bell->set_listener(std::move(wake)); }
+
+double Session::wait_seconds() const {
+  constexpr double kFrame = 1.0 / 60;
+  constexpr double kTenth = 0.1;
+  if (impl_->playing) return kFrame;
+  if (impl_->run && !impl_->run->is_paused()) return kTenth;
+  return std::numeric_limits<double>::infinity();
+}
+
+void Session::open(const std::filesystem::path& path) { impl_->open({path, {}, {}, {}}); }
+
+void Session::open_bytes(const std::string& name, std::string bytes, CompanionLookup companions) {
+  impl_->open({{}, name, std::move(bytes), std::move(companions)});
+}
+
+const MeshReport* Session::report() const { return has_model() ? &impl_->report : nullptr; }
+
+RunState Session::state() const {
+  if (impl_->run) return impl_->run->is_paused() ? RunState::Paused : RunState::Running;
+  if (impl_->playing) return RunState::Replaying;
+  if (impl_->opening) return RunState::Opening;
+  return has_model() ? RunState::Idle : RunState::Empty;
+}
+
+const Project& Session::project() const { return impl_->project(); }
+
+std::shared_ptr<const ShownNet> Session::shown() const {
+  return impl_->moving ? impl_->moving : impl_->settled;
+}
+
+RunFigures Session::figures() const {
+  if (impl_->run) return impl_->run->figures();
+  return impl_->playing ? impl_->replay_figures() : impl_->settled_figures();
+}
+
+std::shared_ptr<const Progress> Session::chore() const {
+  if (impl_->opening) return impl_->opening->progress;
+  return impl_->exports.empty() ? nullptr : impl_->exports.front()->progress;
+}
+
+void Session::unfold() {
+  if (!has_model()) return;
+  if (impl_->run) {
+    impl_->run->resume(impl_->clock());
+  } else if (impl_->playing) {
+    impl_->end_replay();
+  } else {
+    impl_->start_run(SearchRun::Start::Running);
+  }
+}
+
+void Session::pause() {
+  if (impl_->run) impl_->run->pause(impl_->clock());
+}
+
+void Session::step() {
+  if (!has_model()) return;
+  impl_->end_replay();
+  if (!impl_->run) impl_->start_run(SearchRun::Start::Paused);
+  impl_->run->step(impl_->clock());
+}
+
+void Session::stop() {
+  impl_->end_replay();
+  if (!impl_->run) return;
+  impl_->was_stopped = true;
+  impl_->run->cancel();
+}
+
+void Session::new_seed() {
+  set_seed((impl_->run ? impl_->run->options().seed : project().seed) + 1);
+  if (!has_model()) return;
+  impl_->end_replay();
+  impl_->start_run(SearchRun::Start::Running);
+}
+
+void Session::set_seed(std::uint64_t seed) { impl_->history.amend(netwright::set_seed(project(), seed)); }
+
+void Session::skip_replay() { impl_->end_replay(); }
+
+void Session::set_speed(double moves_per_second) {
+  impl_->speed =
+      std::isnan(moves_per_second) ? PaceGate::kSlowest : std::max(moves_per_second, PaceGate::kSlowest);
+  if (impl_->run) impl_->run->set_speed(impl_->speed);
+}
+
+double Session::speed() const { return impl_->speed; }
+void Session::set_streams(int streams) { impl_->streams = std::max(streams, 1); }
+int Session::streams() const { return impl_->streams; }
+void Session::set_time_limit(double seconds) { impl_->time_limit_s = std::max(seconds, 0.0); }
+double Session::time_limit() const { return impl_->time_limit_s; }
+
+void Session::pin_root(FaceId face) {
+  if (!has_model() || face == project().pinned_root) return;
+  impl_->end_replay();
+  const bool is_running = impl_->run != nullptr;
+  const bool is_paused = is_running && impl_->run->is_paused();
+  impl_->discard_run();
+  impl_->relay_unfinished(face);
+  impl_->edit(face.is_valid() ? "pin root" : "unpin root", netwright::pin_root(project(), face));
+  if (is_running) impl_->start_run(is_paused ? SearchRun::Start::Paused : SearchRun::Start::Running);
+}
+
+void Session::set_paper(const PaperSetup& paper) {
+  if (paper != project().paper) impl_->edit("paper", netwright::set_paper(project(), paper));
+}
+
+void Session::set_size(const PrintSize& size) {
+  if (size != project().size) impl_->edit("print size", netwright::set_size(project(), size));
+}
+
+bool Session::can_undo() const {
+  return impl_->history.can_undo() || (impl_->is_unfinished && project().tree != nullptr);
+}
+bool Session::can_redo() const { return impl_->history.can_redo(); }
+
+std::string Session::undo_label() const {
+  if (impl_->is_unfinished && project().tree) return "Undo unfinished run";
+  const std::string label = impl_->history.undo_label();
+  return label.empty() ? "Undo" : "Undo " + label;
+}
+
+std::string Session::redo_label() const {
+  const std::string label = impl_->history.redo_label();
+  return label.empty() ? "Redo" : "Redo " + label;
+}
+
+void Session::undo() {
+  if (can_undo()) impl_->move_in_history(&History::undo);
+}
+
+void Session::redo() {
+  if (can_redo()) impl_->move_in_history(&History::redo);
+}
+
+std::shared_ptr<const std::vector<Sheet>> Session::sheets() const {
+  if (impl_->run || impl_->is_unfinished || !impl_->derived) return nullptr;
+  return impl_->derived->sheets;
+}
+
+void Session::export_to(const std::filesystem::path& path) { impl_->export_to(path); }
+
+std::vector<Message> Session::take_messages() { return std::exchange(impl_->messages, {}); }
+
+}  // namespace netwright

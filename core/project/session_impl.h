@@ -1,0 +1,108 @@
+// What a Session is made of. Included by the session's own sources only.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/mailbox.h"
+#include "core/base/worker.h"
+#include "core/project/bell.h"
+#include "core/project/derived.h"
+#include "core/project/history.h"
+#include "core/project/open_model.h"
+#include "core/project/replay.h"
+#include "core/project/search_run.h"
+#include "core/project/session.h"
+
+namespace netwright {
+
+struct Session::Impl {
+  /// A chore under way: its result lies in the mailbox when it is done, and nobody looks at it any more when
+  /// the chore was replaced by a newer one.
+  template <class Result>
+  struct Chore {
+    explicit Chore(std::shared_ptr<const Bell> bell) : result([bell] { bell->ring(); }) {}
+    Mailbox<Result> result;
+    std::shared_ptr<Progress> progress;
+  };
+  struct Opened {
+    std::optional<OpenedModel> model;
+    std::string fault;
+  };
+  /// A replay being shown, and since when.
+  struct Playing {
+    Replay replay;
+    double started;
+    double last_picture;
+  };
+
+  explicit Impl(Clock clock_function);
+  ~Impl();
+
+  // Taking in what the worker finished (session_poll.cpp); each tells whether anything changed.
+  bool poll();
+  bool take_opened();
+  bool take_derived();
+  bool take_exports();
+  bool take_run();
+  bool show_replay();
+  void watch_clock();
+  void finish_run(const SearchRun::Outcome& outcome);
+  void accept(const SolveResult& result, const RunSummary& summary);
+  void show_unfinished(const SolveResult& result);
+  void start_replay(const SolveResult& result);
+  void end_replay();
+
+  // Chores.
+  void open(ModelSource source);
+  void derive_again();  ///< after every change of the project
+  void export_to(const std::filesystem::path& path);
+
+  // Changes of the project and of what is shown.
+  [[nodiscard]] const Project& project() const { return history.present(); }
+  void edit(std::string label, Project next);
+  void move_in_history(void (History::*move)());
+  void drop_result();  ///< back to what the project itself says
+  void relay_unfinished(FaceId root);
+  void start_run(SearchRun::Start start);
+  void discard_run();
+  void say(Message::Kind kind, std::string text);
+  std::shared_ptr<ShownNet> stamp(std::shared_ptr<ShownNet> net);
+  [[nodiscard]] RunFigures replay_figures() const;
+  [[nodiscard]] RunFigures settled_figures() const;
+
+  Clock clock;
+  std::shared_ptr<Bell> bell = std::make_shared<Bell>();
+  History history;
+  MeshReport report;
+
+  std::unique_ptr<SearchRun> run;
+  bool is_timed_out = false;
+  bool was_stopped = false;
+  std::optional<Playing> playing;
+  std::string good_news;                    ///< said when the replay is over
+  std::shared_ptr<const ShownNet> moving;   ///< the picture of the run or the replay that goes on
+  std::shared_ptr<const ShownNet> settled;  ///< what stays when nothing runs
+  bool is_unfinished = false;               ///< `settled` is the best of a run that wasn't proved
+  std::optional<RunFigures> last_figures;   ///< of the run that led to `settled`
+  std::shared_ptr<const Derived> derived;
+
+  std::shared_ptr<Chore<Opened>> opening;
+  std::shared_ptr<Chore<Derived>> deriving;
+  std::vector<std::shared_ptr<Chore<Message>>> exports;
+
+  std::vector<Message> messages;
+  std::uint64_t n_messages = 0;
+  std::uint64_t n_versions = 0;
+  double speed = std::numeric_limits<double>::infinity();
+  int streams = SolveOptions{}.streams;
+  double time_limit_s = 60;
+  int shown_tenths = -1;  ///< of the running clock, when poll() last told of a change
+
+  Worker worker;  ///< last: its jobs end before anything they use goes
+};
+
+}  // namespace netwright

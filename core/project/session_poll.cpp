@@ -1,0 +1,318 @@
+// What comes back to the session: opened models, derived data, exports, and the search with its replay. All
+// of it is taken in by poll(), once per frame, on the main thread.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "core/base/predicates.h"
+#include "core/project/commands.h"
+#include "core/project/session_impl.h"
+#include "core/sheet/write.h"
+
+namespace netwright {
+
+namespace {
+
+/// A run that gave the eye at most this many pictures, or was over in this time, is played back.
+constexpr int kFewPictures = 3;
+constexpr double kShortRun = 0.1;
+
+/// Seconds between two pictures of a replay, per face: what making one costs, with room to spare.
+constexpr double kPictureSecondsPerFace = 2e-5;
+
+std::string counted(std::int64_t n, const std::string& one, const std::string& many) {
+  return std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  const int decimals = seconds < 0.1 ? 3 : (seconds < 10 ? 1 : 0);
+  std::snprintf(text, sizeof text, "%.*f s", decimals, seconds);
+  return text;
+}
+
+std::string good_news_of(const Mesh& mesh, const RunSummary& run) {
+  const std::string parts = mesh.n_components() == 1
+                                ? std::string("one piece")
+                                : counted(static_cast<std::int64_t>(mesh.n_components()), "piece", "pieces");
+  return counted(static_cast<std::int64_t>(mesh.n_faces()), "face", "faces") + " in " + parts +
+         ", proved free of overlaps (seed " + std::to_string(run.seed) + ", " + seconds_text(run.seconds) +
+         ").";
+}
+
+std::string unfinished_news(const SolveResult& result, const RunFigures& figures, bool is_timed_out) {
+  if (result.overlaps.empty() && !result.proof.faults.empty())
+    return "The search ended, but its net failed the proof: " + result.proof.faults.front() +
+           " Try a new seed.";
+  return counted(static_cast<std::int64_t>(result.overlaps.size()), "overlap", "overlaps") + " left " +
+         (is_timed_out ? "at the time limit" : "when the search was stopped") + ", after " +
+         seconds_text(figures.seconds) + ": let it run longer or try a new seed.";
+}
+
+std::string export_news(const std::vector<std::filesystem::path>& files, std::size_t n_pages) {
+  const std::string first = files.front().filename().string();
+  if (files.size() > 1)
+    return "Saved " + first + " to " + files.back().filename().string() + ", " +
+           std::to_string(files.size()) + " files";
+  const bool has_pages = files.front().extension() == ".pdf" || files.front().extension() == ".PDF";
+  if (!has_pages) return "Saved " + first;
+  return "Saved " + first + ", " + counted(static_cast<std::int64_t>(n_pages), "page", "pages");
+}
+
+}  // namespace
+
+void Session::Impl::open(ModelSource source) {
+  if (opening) opening->progress->cancel();
+  opening = std::make_shared<Chore<Opened>>(bell);
+  opening->progress =
+      worker.submit(Worker::Lane::Chores, [chore = opening, model = std::move(source)](Progress& progress) {
+        auto opened = std::make_shared<Opened>();
+        if (progress.is_cancelled()) return;
+        try {
+          opened->model = open_model(model, progress);
+        } catch (...) {
+          opened->fault = sentence_for_current_exception("Opening the model");
+        }
+        chore->result.post(std::move(opened));
+      });
+}
+
+bool Session::Impl::take_opened() {
+  const std::shared_ptr<const Opened> opened = opening ? opening->result.take() : nullptr;
+  if (!opened) return false;
+  opening = nullptr;
+  if (!opened->model) {
+    say(Message::Kind::Error, opened->fault);
+    return true;
+  }
+  discard_run();
+  playing.reset();
+  history = History(new_project(project(), opened->model->path, opened->model->dual));
+  report = opened->model->report;
+  derived = nullptr;
+  drop_result();
+  derive_again();
+  for (const std::string& notice : opened->model->notices) say(Message::Kind::Notice, notice);
+  return true;
+}
+
+void Session::Impl::derive_again() {
+  if (deriving) deriving->progress->cancel();
+  deriving = nullptr;
+  if (!project().tree) {
+    derived = nullptr;
+    return;
+  }
+  deriving = std::make_shared<Chore<Derived>>(bell);
+  deriving->progress = worker.submit(
+      Worker::Lane::Chores,
+      [chore = deriving, source = project(), before = derived, version = ++n_versions](Progress& progress) {
+        std::shared_ptr<const Derived> made;
+        try {
+          made = derive(source, before, version, progress);
+        } catch (...) {
+          auto failed = std::make_shared<Derived>();
+          failed->fault = sentence_for_current_exception("Drawing the sheets");
+          made = std::move(failed);
+        }
+        if (!progress.is_cancelled()) chore->result.post(std::move(made));
+      });
+}
+
+bool Session::Impl::take_derived() {
+  const std::shared_ptr<const Derived> made = deriving ? deriving->result.take() : nullptr;
+  if (!made) return false;
+  deriving = nullptr;
+  if (!made->fault.empty() && !(derived && derived->fault == made->fault))
+    say(Message::Kind::Error, made->fault);
+  derived = made;
+  if (!is_unfinished && derived->shown) settled = derived->shown;
+  return true;
+}
+
+void Session::Impl::export_to(const std::filesystem::path& path) {
+  if (run || is_unfinished || !project().tree) {
+    say(Message::Kind::Notice,
+        run ? "The search is still going: the net can be saved when it is done."
+            : "There is no net without overlaps yet: unfold the model first, then save.");
+    return;
+  }
+  auto chore = std::make_shared<Chore<Message>>(bell);
+  chore->progress = worker.submit(
+      Worker::Lane::Chores, [chore, path, source = project(), before = derived](Progress& progress) {
+        const std::string name = path.filename().string();
+        progress.set_phase("Saving " + name);
+        auto news = std::make_shared<Message>();
+        try {
+          const std::shared_ptr<const Derived> now = derive(source, before, 0, progress);
+          if (!now->pages) throw Error(ErrorKind::Usage, now->fault);
+          const auto files = write_drawing(path, now->shown->net, *now->pages, sheet_info(source));
+          *news = {Message::Kind::Good, export_news(files, now->pages->pages.size()), 0};
+        } catch (...) {
+          *news = {Message::Kind::Error, sentence_for_current_exception("Saving " + name), 0};
+        }
+        chore->result.post(std::move(news));
+      });
+  exports.push_back(std::move(chore));
+}
+
+bool Session::Impl::take_exports() {
+  const auto is_done = [this](const std::shared_ptr<Chore<Message>>& chore) {
+    const std::shared_ptr<const Message> news = chore->result.take();
+    if (news) say(news->kind, news->text);
+    return news != nullptr;
+  };
+  return std::erase_if(exports, is_done) > 0;
+}
+
+bool Session::Impl::take_run() {
+  if (!run) return false;
+  run->tick(clock());
+  // The outcome first: once it is there, the last snapshot is, too.
+  const std::shared_ptr<const SearchRun::Outcome> outcome = run->take_outcome();
+  const std::shared_ptr<ShownNet> picture = run->take_picture();
+  if (picture) moving = stamp(picture);
+  if (outcome) finish_run(*outcome);
+  return picture || outcome;
+}
+
+void Session::Impl::watch_clock() {
+  if (!run || time_limit_s <= 0 || is_timed_out || run->seconds() < time_limit_s) return;
+  is_timed_out = true;
+  run->cancel();
+}
+
+void Session::Impl::finish_run(const SearchRun::Outcome& outcome) {
+  const std::unique_ptr<SearchRun> ended = std::move(run);
+  discard_run();
+  if (!outcome.result || outcome.result->net.placement.empty()) {
+    if (!outcome.result) say(Message::Kind::Error, outcome.fault);
+    return;
+  }
+  const SolveResult& result = *outcome.result;
+  RunSummary summary;
+  summary.seed = ended->options().seed;
+  summary.moves = result.moves;
+  summary.restarts = result.restarts;
+  // A short run ends between two looks at the clock: its own count is nearer to the truth then.
+  summary.seconds = ended->was_slowed() ? ended->seconds() : std::min(ended->seconds(), result.cpu_seconds);
+  summary.overlaps = static_cast<int>(result.overlaps.size());
+  summary.is_proved = result.is_proved;
+
+  last_figures = ended->figures();
+  last_figures->overlaps = last_figures->best_overlaps = summary.overlaps;
+  last_figures->moves = summary.moves;
+  last_figures->restarts = summary.restarts;
+  last_figures->seconds = summary.seconds;
+  if (summary.seconds > 0)
+    last_figures->moves_per_second = static_cast<double>(summary.moves) / summary.seconds;
+  if (!result.is_proved) {
+    show_unfinished(result);
+    return;
+  }
+  accept(result, summary);
+  const bool was_unseen = ended->n_pictures() <= kFewPictures || ended->seconds() < kShortRun;
+  if (!ended->was_slowed() && was_unseen) start_replay(result);
+  if (!playing) say(Message::Kind::Good, std::exchange(good_news, {}));
+}
+
+void Session::Impl::accept(const SolveResult& result, const RunSummary& summary) {
+  good_news = good_news_of(project().dual->mesh(), summary);
+  is_unfinished = false;
+  if (project().tree && *project().tree == result.net.tree) {  // the same seed again: nothing to undo
+    settled = derived ? derived->shown : settled;
+    return;
+  }
+  settled = stamp(std::make_shared<ShownNet>(
+      make_shown_net(layout(project().dual, result.net.tree), result.overlaps, true)));
+  edit("unfold", accept_tree(project(), result.net.tree, summary));
+}
+
+void Session::Impl::show_unfinished(const SolveResult& result) {
+  is_unfinished = true;
+  settled = stamp(std::make_shared<ShownNet>(
+      make_shown_net(layout(project().dual, result.net.tree), result.overlaps, false)));
+  say(Message::Kind::Notice, unfinished_news(result, *last_figures, is_timed_out));
+}
+
+void Session::Impl::start_replay(const SolveResult& result) {
+  const auto has_moves = [](const Episode& episode) { return !episode.moves.empty(); };
+  if (std::none_of(result.log.begin(), result.log.end(), has_moves)) return;
+  const double now = clock();
+  playing.emplace(Playing{Replay(result), now, -1});
+  show_replay();
+}
+
+bool Session::Impl::show_replay() {
+  if (!playing) return false;
+  Replay& replay = playing->replay;
+  const double now = clock();
+  const double share = (now - playing->started) / replay.seconds();
+  if (share >= 1) {
+    end_replay();
+    return true;
+  }
+  const auto goal = static_cast<int>(share * replay.n_steps());
+  const double gap = kPictureSecondsPerFace * static_cast<double>(project().dual->mesh().n_faces());
+  if (moving && (goal <= replay.position() || now - playing->last_picture < gap)) return false;
+  replay.advance_to(goal);
+  playing->last_picture = now;
+  Net net = replay.net();
+  std::vector<Overlap> overlaps = find_overlaps(net, kSolveDepth);
+  auto shown = std::make_shared<ShownNet>(make_shown_net(std::move(net), std::move(overlaps), false));
+  shown->last_move = replay.last_move();
+  moving = stamp(std::move(shown));
+  return true;
+}
+
+void Session::Impl::end_replay() {
+  if (!playing) return;
+  playing.reset();
+  moving = nullptr;
+  say(Message::Kind::Good, std::exchange(good_news, {}));
+}
+
+RunFigures Session::Impl::replay_figures() const {
+  RunFigures figures = settled_figures();
+  const Replay& replay = playing->replay;
+  figures.overlaps = static_cast<int>(moving->overlaps.size());
+  figures.overlaps_at_start = replay.overlaps_at_start();
+  figures.best_overlaps = replay.best_overlaps();
+  figures.moves = replay.moves();
+  figures.restarts = replay.restarts();
+  figures.history = replay.history();
+  figures.history_stride = 1;
+  return figures;
+}
+
+RunFigures Session::Impl::settled_figures() const {
+  if (last_figures) return *last_figures;
+  RunFigures figures;
+  figures.seed = project().seed;
+  if (project().dual) figures.faces = static_cast<int>(project().dual->mesh().n_faces());
+  if (project().run) {
+    const RunSummary& summary = *project().run;
+    figures.seed = summary.seed;
+    figures.moves = summary.moves;
+    figures.restarts = summary.restarts;
+    figures.seconds = summary.seconds;
+    if (summary.seconds > 0) figures.moves_per_second = static_cast<double>(summary.moves) / summary.seconds;
+  }
+  return figures;
+}
+
+bool Session::Impl::poll() {
+  const std::size_t n_told = messages.size();
+  bool has_changed = take_opened();
+  has_changed |= take_derived();
+  has_changed |= take_exports();
+  has_changed |= show_replay();
+  has_changed |= take_run();
+  watch_clock();
+  const int tenths = run ? static_cast<int>(run->seconds() * 10) : -1;
+  has_changed |= std::exchange(shown_tenths, tenths) != tenths;
+  return has_changed || messages.size() != n_told;
+}
+
+}  // namespace netwright
