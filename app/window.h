@@ -100,6 +100,7 @@ class Window {
   [[nodiscard]] virtual bool is_software() const = 0;
 
  protected:
+  [[nodiscard]] bool has_events() const { return !events_.empty(); }
   void push(WindowEvent event) { events_.push_back(std::move(event)); }
 
  private:

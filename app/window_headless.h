@@ -2,9 +2,7 @@
 // on an EGL context that needs neither display nor window system, and takes its events from the program.
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "app/window.h"
@@ -41,7 +39,7 @@ class HeadlessWindow : public Window {
   void refresh_fonts() override;
   [[nodiscard]] Image read_pixels() const override;
   void set_title(const std::string& title) override;
-  [[nodiscard]] bool is_software() const override { return true; }
+  [[nodiscard]] bool is_software() const override;
   [[nodiscard]] const std::string& title() const;
 
  private:

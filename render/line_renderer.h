@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "render/camera.h"
 #include "render/gl_objects.h"
 #include "render/palette.h"
 #include "render/shader.h"
@@ -53,9 +54,13 @@ struct LineView {
   glm::vec2 size_px{1, 1};
   float scale = 1;  ///< pixels per design pixel: widths and pixel dashes are multiplied by it
   bool is_depth_tested = false;
-  float pull =
-      0.0015F;  ///< in space: how far lines come towards the eye, as a share of their distance from it
+  float pull = 0;  ///< taken off the depth in clip space, so that lines win against what they lie on
 };
+
+/// Seen by a camera: in space tested against the depth of what was drawn before, lifted towards the eye by so
+/// many pixels' worth of distance; in the plane untested.
+LineView look_through(const OrbitCamera& camera, float scale, double lift_px = 3);
+LineView look_through(const PanZoomCamera& camera, float scale);
 
 class LineRenderer {
  public:

@@ -53,9 +53,7 @@ class NetRenderer {
   Buffer face_buffer_;
   VertexArray face_array_;
   int n_face_vertices_ = 0;
-  Buffer sheet_buffer_;
-  VertexArray sheet_array_;
-  int n_sheet_vertices_ = 0;
+  std::vector<Box2> sheets_;
   Texture state_table_;
   FaceStates states_;
   std::vector<glm::vec2> corners_;  ///< of all faces, for outlines of selected ones

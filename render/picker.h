@@ -50,6 +50,10 @@ class NetPicker {
     int count = 0;
     FaceId face;
   };
+  void collect_parts(const Net& net);
+  void fill_grid();
+  [[nodiscard]] Box2 part_box(const Part& part) const;
+  [[nodiscard]] bool contains(const Part& part, glm::dvec2 point) const;
   [[nodiscard]] int column(double x) const;
   [[nodiscard]] int row(double y) const;
 

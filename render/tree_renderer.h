@@ -32,11 +32,11 @@ class TreeRenderer {
   void draw_on_net(const PanZoomCamera& camera, const Palette& palette, const TreeLook& look) const;
 
  private:
-  void draw(const LineBatch& batch, const LineView& view, const Palette& palette, const TreeLook& look) const;
-
   const LineRenderer& lines_;
   LineBatch in_space_;
   LineBatch in_plane_;
+  LineBatch roots_in_space_;  ///< apart, because discs stand out farther than lines
+  LineBatch roots_in_plane_;
 };
 
 /// A point well inside a face, in space and in the plane: where the tree's lines meet. The corners' mean, or

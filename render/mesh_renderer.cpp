@@ -1,0 +1,195 @@
+// The model as one buffer of triangles, three vertices each and none shared, so that every face has one tone.
+// What changes often, the state of faces, lives in a small table beside it.
+#include "render/mesh_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "render/gl.h"
+
+namespace netwright {
+namespace {
+
+struct MeshVertex {
+  glm::vec3 position;
+  glm::vec3 normal;
+  glm::vec2 uv;
+  std::array<std::uint8_t, 4> material;
+  std::uint32_t face;
+};
+
+std::uint8_t to_srgb_byte(double linear) {
+  const double x = std::clamp(linear, 0.0, 1.0);
+  const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(s * 255));
+}
+
+bool has_picture(const Mesh& mesh, int material) {
+  if (material < 0 || !mesh.has_uv()) return false;
+  const auto& texture = mesh.materials()[static_cast<std::size_t>(material)].texture;
+  return texture && !texture->is_empty();
+}
+
+/// Alpha 0 where the face has no material; white under a picture.
+std::array<std::uint8_t, 4> material_colour(const Mesh& mesh, FaceId f) {
+  const int material = mesh.material(f);
+  if (material < 0) return {0, 0, 0, 0};
+  if (has_picture(mesh, material)) return {255, 255, 255, 255};
+  const glm::dvec3& c = mesh.materials()[static_cast<std::size_t>(material)].colour;
+  return {to_srgb_byte(c.r), to_srgb_byte(c.g), to_srgb_byte(c.b), 255};
+}
+
+MeshVertex mesh_vertex(const Mesh& mesh, HalfedgeId h, const std::array<std::uint8_t, 4>& material) {
+  const FaceId f = mesh.face(h);
+  return {glm::vec3(mesh.position(h)), glm::vec3(mesh.normal(f)),
+          mesh.has_uv() ? glm::vec2(mesh.uv(h)) : glm::vec2(0), material,
+          static_cast<std::uint32_t>(f.index())};
+}
+
+void append_face(const DualGraph& dual, FaceId f, std::vector<MeshVertex>& out) {
+  const Mesh& mesh = dual.mesh();
+  const auto material = material_colour(mesh, f);
+  const auto corner = [&](int k) { return mesh_vertex(mesh, HalfedgeId(mesh.first(f).value + k), material); };
+  for (int p = 0; p < dual.n_parts(f); ++p) {
+    const std::span<const int> part = dual.part(f, p);
+    for (std::size_t k = 2; k < part.size(); ++k)
+      for (const int c : {part[0], part[k - 1], part[k]}) out.push_back(corner(c));
+  }
+}
+
+}  // namespace
+
+MeshRenderer::MeshRenderer(const LineRenderer& lines) : lines_(lines), shader_("mesh") {
+  constexpr std::size_t kStride = sizeof(MeshVertex);
+  array_.attribute(0, buffer_, 3, AttributeType::Float, kStride, offsetof(MeshVertex, position));
+  array_.attribute(1, buffer_, 3, AttributeType::Float, kStride, offsetof(MeshVertex, normal));
+  array_.attribute(2, buffer_, 2, AttributeType::Float, kStride, offsetof(MeshVertex, uv));
+  array_.attribute(3, buffer_, 4, AttributeType::NormalizedByte, kStride, offsetof(MeshVertex, material));
+  array_.attribute(4, buffer_, 1, AttributeType::UnsignedInt, kStride, offsetof(MeshVertex, face));
+}
+
+void MeshRenderer::set_model(std::shared_ptr<const DualGraph> dual) {
+  if (dual == dual_) return;
+  dual_ = std::move(dual);
+  groups_.clear();
+  textures_.clear();
+  if (!dual_) return;
+  upload_triangles();
+  upload_edges();
+  upload_textures();
+  states_ = FaceStates();
+  state_table_.stamp(0);
+}
+
+void MeshRenderer::upload_triangles() {
+  const Mesh& mesh = dual_->mesh();
+  const auto picture = [&](FaceId f) { return has_picture(mesh, mesh.material(f)) ? mesh.material(f) : -1; };
+  std::vector<FaceId> order;
+  order.reserve(mesh.n_faces());
+  for (const FaceId f : mesh.faces()) order.push_back(f);
+  std::stable_sort(order.begin(), order.end(), [&](FaceId a, FaceId b) { return picture(a) < picture(b); });
+  std::vector<MeshVertex> vertices;
+  vertices.reserve(3 * mesh.n_halfedges());
+  for (const FaceId f : order) {
+    const auto first = static_cast<int>(vertices.size());
+    if (groups_.empty() || groups_.back().material != picture(f)) groups_.push_back({picture(f), first, 0});
+    append_face(*dual_, f, vertices);
+    groups_.back().count += static_cast<int>(vertices.size()) - first;
+  }
+  buffer_.upload(std::as_bytes(std::span(vertices)));
+}
+
+void MeshRenderer::upload_edges() {
+  const Mesh& mesh = dual_->mesh();
+  std::vector<LineSegment> segments;
+  segments.reserve(mesh.n_edges());
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    segments.push_back(
+        {glm::vec3(mesh.position(h)), glm::vec3(mesh.position(mesh.next(h))), mesh.is_border(e) ? 1U : 0U});
+  }
+  edges_.upload(segments, 1);
+}
+
+void MeshRenderer::upload_textures() {
+  const Mesh& mesh = dual_->mesh();
+  textures_.resize(mesh.materials().size());
+  for (std::size_t m = 0; m < textures_.size(); ++m)
+    if (has_picture(mesh, static_cast<int>(m))) textures_[m].upload(*mesh.materials()[m].texture);
+}
+
+void MeshRenderer::upload_states(const FaceStates& states) {
+  if (state_table_.holds(1) && states == states_) return;
+  const Mesh& mesh = dual_->mesh();
+  states_ = states;
+  std::vector<std::uint8_t> bits = states.bits();
+  bits.resize(mesh.n_faces(), 0);
+  state_table_.upload_table(bits);
+  state_table_.stamp(1);
+  std::vector<LineSegment> segments;
+  for (const FaceId f : mesh.faces()) {
+    if ((bits[f.index()] & static_cast<std::uint8_t>(FaceState::Selected)) == 0) continue;
+    for (const HalfedgeId h : mesh.halfedges(f))
+      segments.push_back({glm::vec3(mesh.position(h)), glm::vec3(mesh.position(mesh.next(h))), 0});
+  }
+  outlines_.upload(segments, 1);
+}
+
+void MeshRenderer::draw(const OrbitCamera& camera, const Palette& palette, const FaceStates& states,
+                        const MeshLook& look) {
+  if (!dual_) return;
+  upload_states(states);
+  draw_faces(camera, palette, look);
+  draw_lines(camera, palette, look);
+}
+
+void MeshRenderer::draw_faces(const OrbitCamera& camera, const Palette& palette, const MeshLook& look) const {
+  shader_.use();
+  shader_.set("clip_from_world", glm::mat4(camera.view_projection()));
+  shader_.set("view_from_world", glm::mat4(camera.view()));
+  shader_.set("paper", palette.model);
+  shader_.set("paper_back", palette.model_back);
+  shader_.set("root", palette.root);
+  shader_.set("overlap", palette.overlap);
+  shader_.set("hover", palette.hover);
+  shader_.set("chosen", palette.chosen);
+  shader_.set("climbed", palette.climbed);
+  shader_.set("shows_materials", look.shows_materials ? 1 : 0);
+  shader_.set("hatch", palette.overlap_hatch);
+  const glm::dvec3 target = camera.project(camera.target());
+  shader_.set("hatch_origin", glm::vec2(target.x, camera.size_px().y - target.y));
+  shader_.set("hatch_scale", 1 / look.scale);
+  shader_.set("states", 0);
+  shader_.set("picture", 1);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, state_table_.name());
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glBindVertexArray(array_.name());
+  for (const Group& group : groups_) {
+    shader_.set("has_texture", group.material >= 0 ? 1 : 0);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D,
+                  group.material >= 0 ? textures_[static_cast<std::size_t>(group.material)].name() : 0);
+    glDrawArrays(GL_TRIANGLES, group.first, group.count);
+  }
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void MeshRenderer::draw_lines(const OrbitCamera& camera, const Palette& palette, const MeshLook& look) const {
+  const LineView view = look_through(camera, look.scale);
+  Colour border = palette.model_edge;
+  border.a = 1;
+  const std::array<LineStyle, 2> edge_styles{LineStyle{palette.model_edge, 1.0F, {}, false},
+                                             LineStyle{border, 1.4F, {}, false}};
+  if (look.shows_edges) lines_.draw(edges_, edge_styles, view);
+  const std::array<LineStyle, 1> selected{LineStyle{palette.selection, 3, {}, false}};
+  lines_.draw(outlines_, selected, view);
+}
+
+}  // namespace netwright

@@ -1,0 +1,28 @@
+#version 330 core
+layout(location = 0) in vec2 position;
+layout(location = 1) in uint face;
+
+uniform mat4 clip_from_world;
+uniform vec4 paper;
+uniform vec4 root;
+uniform vec4 overlap;
+uniform vec4 hover;
+uniform vec4 chosen;
+uniform vec4 climbed;
+uniform usampler2D states;
+
+flat out vec3 tone;
+flat out float hatched;
+
+void main() {
+  uint state = texelFetch(states, ivec2(int(face) % 1024, int(face) / 1024), 0).r;
+  vec3 colour = paper.rgb;
+  if ((state & 32u) != 0u) colour = mix(colour, climbed.rgb, climbed.a);
+  if ((state & 4u) != 0u) colour = mix(colour, overlap.rgb, overlap.a);
+  if ((state & 16u) != 0u) colour = mix(colour, chosen.rgb, chosen.a);
+  if ((state & 2u) != 0u) colour = mix(colour, root.rgb, root.a);
+  if ((state & 1u) != 0u) colour = mix(colour, hover.rgb, hover.a);
+  tone = colour;
+  hatched = (state & 4u) != 0u ? 1.0 : 0.0;
+  gl_Position = clip_from_world * vec4(position, 0.0, 1.0);
+}
