@@ -1,0 +1,32 @@
+// Decodes pictures with stb_image, after looking at their size so that a lying header cannot ask for
+// gigabytes.
+#include "core/base/image.h"
+
+#include <stb_image.h>
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+namespace netwright {
+
+Image decode_image(std::string_view bytes) {
+  constexpr std::int64_t kMaxPixels = 64'000'000;
+  if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return {};
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) return {};
+  if (width <= 0 || height <= 0 || std::int64_t{width} * height > kMaxPixels) return {};
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
+  if (!pixels) return {};
+  Image image{.width = width, .height = height, .rgba = {}};
+  image.rgba.assign(pixels.get(), pixels.get() + std::size_t{4} * static_cast<std::size_t>(width) *
+                                                     static_cast<std::size_t>(height));
+  return image;
+}
+
+}  // namespace netwright

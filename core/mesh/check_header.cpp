@@ -1,0 +1,134 @@
+// Compares what the headers of STL, PLY and OFF files promise with the size of the file. Assimp believes the
+// headers and would allocate whatever they say.
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <vector>
+
+#include "core/mesh/readers.h"
+
+namespace netwright::readers {
+namespace {
+
+constexpr std::string_view kBlank = " \t\r\n\v\f";
+
+std::string_view next_word(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
+  const std::string_view word = rest.substr(0, rest.find_first_of(kBlank));
+  rest.remove_prefix(word.size());
+  return word;
+}
+
+std::string_view next_line(std::string_view& rest) {
+  const std::size_t end = rest.find('\n');
+  const std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  return line;
+}
+
+bool parse_count(std::string_view word, std::uint64_t& count) {
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+  return error == std::errc() && end == word.data() + word.size();
+}
+
+[[noreturn]] void refuse_promise(const std::string& name, std::uint64_t count, const std::string& what) {
+  refuse(name, "its header promises " + std::to_string(count) + " " + what +
+                   ", but the file is too short for them; it was cut short or damaged, export it again.");
+}
+
+void check_stl(const std::string& name, std::string_view bytes) {
+  std::string_view rest = bytes;
+  const bool is_text = next_word(rest) == "solid" && bytes.find("facet") != std::string_view::npos;
+  std::uint32_t count = 0;
+  constexpr std::size_t kHeader = 84;
+  constexpr std::size_t kTriangle = 50;
+  if (bytes.size() >= kHeader) std::memcpy(&count, bytes.data() + 80, sizeof count);
+  const bool fits = bytes.size() >= kHeader && (bytes.size() - kHeader) / kTriangle >= count;
+  if (is_text && !(fits && (bytes.size() - kHeader) == kTriangle * count)) {
+    if (bytes.rfind("endsolid") == std::string_view::npos) {
+      refuse(name, "it ends before its last triangle is closed; the file was cut short, export it again.");
+    }
+    return;
+  }
+  if (bytes.size() < kHeader) refuse(name, "it is too short to be an STL file; export it again.");
+  if (!fits) refuse_promise(name, count, "triangles");
+}
+
+/// Fewest bytes that one value of a PLY type takes; 0 for a type that PLY does not know.
+std::uint64_t ply_width(std::string_view type) {
+  static const std::map<std::string_view, std::uint64_t> kWidths{
+      {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
+      {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
+      {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+  const auto found = kWidths.find(type);
+  return found == kWidths.end() ? 0 : found->second;
+}
+
+void check_ply(const std::string& name, std::string_view bytes) {
+  struct Element {
+    std::string name;
+    std::uint64_t count = 0;
+    std::uint64_t least_bytes = 0;
+  };
+  std::vector<Element> elements;
+  bool is_text = false;
+  bool is_ended = false;
+  std::string_view rest = bytes;
+  while (!rest.empty() && !is_ended) {
+    std::string_view line = next_line(rest);
+    const std::string_view keyword = next_word(line);
+    if (keyword == "format") is_text = next_word(line) == "ascii";
+    if (keyword == "end_header") is_ended = true;
+    if (keyword == "element") {
+      Element element{.name = std::string(next_word(line))};
+      if (!parse_count(next_word(line), element.count)) {
+        refuse(name,
+               "its header does not say how many of \"" + element.name + "\" it holds; export it again.");
+      }
+      elements.push_back(std::move(element));
+    }
+    if (keyword == "property" && !elements.empty()) {
+      std::string_view type = next_word(line);
+      if (type == "list") type = next_word(line);
+      elements.back().least_bytes += is_text ? 2 : ply_width(type);
+    }
+  }
+  if (!is_ended) refuse(name, "its header has no end; the file was cut short, export it again.");
+  std::uint64_t left = rest.size() + 1;  // the last line may lack its end
+  for (const Element& element : elements) {
+    const std::uint64_t least = std::max<std::uint64_t>(element.least_bytes, 1);
+    if (element.count > left / least) refuse_promise(name, element.count, "of \"" + element.name + "\"");
+    left -= element.count * least;
+  }
+}
+
+void check_off(const std::string& name, std::string_view bytes) {
+  std::string numbers;  // the file without its comments, as far as the counts go
+  for (std::string_view rest = bytes; !rest.empty() && numbers.size() < 256;) {
+    const std::string_view line = next_line(rest);
+    numbers.append(line.substr(0, line.find('#'))).push_back(' ');
+  }
+  std::string_view rest = numbers;
+  std::uint64_t points = 0;
+  std::uint64_t faces = 0;
+  std::string_view word = next_word(rest);
+  if (word.ends_with("OFF")) word = next_word(rest);
+  if (!parse_count(word, points) || !parse_count(next_word(rest), faces)) {
+    refuse(name, "its first lines do not say how many points and faces it holds; export it again.");
+  }
+  constexpr std::uint64_t kPoint = 6;  // "0 0 0\n"
+  constexpr std::uint64_t kFace = 4;   // "1 0\n"
+  if (points > bytes.size() / kPoint) refuse_promise(name, points, "points");
+  if (faces > (bytes.size() - points * kPoint) / kFace) refuse_promise(name, faces, "faces");
+}
+
+}  // namespace
+
+void check_header(const std::string& name, std::string_view bytes, const std::string& extension) {
+  if (extension == "stl") check_stl(name, bytes);
+  if (extension == "ply") check_ply(name, bytes);
+  if (extension == "off") check_off(name, bytes);
+}
+
+}  // namespace netwright::readers

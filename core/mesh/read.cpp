@@ -1,0 +1,279 @@
+// Finds out what kind of file this is, calls its reader, and checks what comes back, so that whoever gets a
+// soup may trust its indices and numbers.
+#include "core/mesh/read.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "core/base/error.h"
+#include "core/mesh/readers.h"
+
+namespace netwright {
+
+namespace readers {
+
+void refuse(const std::string& name, const std::string& what) {
+  throw Error(ErrorKind::Read, name + ": " + what);
+}
+
+}  // namespace readers
+
+namespace {
+
+using readers::refuse;
+
+enum class Kind { Obj, Gltf, Stl, Ply, Off, ThreeMf };
+
+constexpr std::array<std::string_view, 1> kObj{"obj"};
+constexpr std::array<std::string_view, 2> kGltf{"glb", "gltf"};
+constexpr std::array<std::string_view, 1> kStl{"stl"};
+constexpr std::array<std::string_view, 1> kPly{"ply"};
+constexpr std::array<std::string_view, 1> kOff{"off"};
+constexpr std::array<std::string_view, 1> kThreeMf{"3mf"};
+
+/// In the order of Kind.
+constexpr std::array<ModelFormat, 6> kFormats{{
+    {"Wavefront OBJ", kObj, UpAxis::Y, "materials and textures"},
+    {"glTF", kGltf, UpAxis::Y, "materials and textures"},
+    {"STL", kStl, UpAxis::Z, ""},
+    {"PLY", kPly, UpAxis::Z, ""},
+    {"OFF", kOff, UpAxis::Z, ""},
+    {"3MF", kThreeMf, UpAxis::Z, ""},
+}};
+
+// Far above any model made for paper; reading more would take the machine's memory before anyone could say
+// so.
+constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} << 20;
+
+// Squares and volumes of coordinates must stay within a double's range (1e308), so must their reciprocals.
+constexpr double kMaxCoordinate = 1e75;
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
+}
+
+std::optional<Kind> kind_by_extension(const std::string& extension) {
+  for (std::size_t i = 0; i < kFormats.size(); ++i) {
+    if (std::ranges::find(kFormats[i].extensions, extension) != kFormats[i].extensions.end()) {
+      return static_cast<Kind>(i);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string known_extensions() {
+  std::string list;
+  for (const ModelFormat& format : kFormats) {
+    for (const std::string_view extension : format.extensions) {
+      list += (list.empty() ? "." : ", .") + std::string(extension);
+    }
+  }
+  return list;
+}
+
+/// "a JPEG picture" for the well-known files that people rename or drop by mistake.
+std::string_view something_else(std::string_view bytes) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kStrangers{{
+      {"\xFF\xD8\xFF", "a JPEG picture"},
+      {"\x89PNG", "a PNG picture"},
+      {"GIF8", "a GIF picture"},
+      {"RIFF", "a WebP, sound or video file"},
+      {"%PDF", "a PDF document"},
+      {"BLENDER", "a Blender project"},
+      {"\x1F\x8B", "a gzip archive"},
+      {"7z\xBC\xAF", "a 7z archive"},
+      {"Kaydara FBX", "an FBX model"},
+  }};
+  for (const auto& [start, what] : kStrangers) {
+    if (bytes.starts_with(start)) return what;
+  }
+  return {};
+}
+
+bool is_binary_stl(std::string_view bytes) {
+  if (bytes.size() < 84) return false;
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  return count > 0 && bytes.size() == 84 + std::uint64_t{50} * count;
+}
+
+std::string_view without_blank_start(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  return text;
+}
+
+/// True when one of the first lines is an OBJ point.
+bool has_obj_point(std::string_view text) {
+  text = text.substr(0, 1 << 16);
+  return text.starts_with("v ") || text.find("\nv ") != std::string_view::npos ||
+         text.find("\rv ") != std::string_view::npos || text.find("\nv\t") != std::string_view::npos;
+}
+
+/// The format that the bytes themselves speak of.
+std::optional<Kind> kind_by_content(std::string_view bytes) {
+  if (bytes.starts_with("glTF")) return Kind::Gltf;
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::Ply;
+  if (is_binary_stl(bytes)) return Kind::Stl;
+  const std::string_view start = without_blank_start(bytes).substr(0, 1 << 16);
+  if (start.find('\0') != std::string_view::npos) return std::nullopt;
+  const std::string_view word = start.substr(0, start.find_first_of(" \t\r\n"));
+  if (word.size() <= 5 && word.ends_with("OFF")) return Kind::Off;
+  if (word == "solid" && start.find("facet") != std::string_view::npos) return Kind::Stl;
+  if (word.starts_with('{') && start.find("\"asset\"") != std::string_view::npos) return Kind::Gltf;
+  if (has_obj_point(start)) return Kind::Obj;
+  return std::nullopt;
+}
+
+Kind kind_of(const std::string& name, std::string_view bytes) {
+  if (bytes.empty()) refuse(name, "the file is empty; export the model again.");
+  const std::string_view stranger = something_else(bytes);
+  if (!stranger.empty()) {
+    refuse(name, "this is " + std::string(stranger) +
+                     ", not a model in a format that can be read; open one of " + known_extensions() + ".");
+  }
+  const std::string extension = extension_of(name);
+  if (bytes.starts_with("PK\x03\x04")) {
+    if (extension == "3mf") return Kind::ThreeMf;
+    refuse(name, "this is a zip archive; unpack it and open the model inside.");
+  }
+  if (const auto kind = kind_by_content(bytes)) return *kind;
+  const auto kind = kind_by_extension(extension);
+  if (!kind) {
+    refuse(name,
+           "this is no model in a format that can be read; export it as one of " + known_extensions() + ".");
+  }
+  const bool has_nul = bytes.substr(0, 4096).find('\0') != std::string_view::npos;
+  if (*kind == Kind::ThreeMf || (*kind == Kind::Obj && has_nul)) {
+    const std::string label(kFormats[static_cast<std::size_t>(*kind)].label);
+    refuse(name, "its content is not that of a " + label + " file; export the model again.");
+  }
+  return *kind;
+}
+
+PolygonSoup read_kind(Kind kind, const std::string& name, std::string_view bytes,
+                      const CompanionLookup& companions) {
+  switch (kind) {
+    case Kind::Obj:
+      return readers::read_obj(name, bytes, companions);
+    case Kind::Gltf:
+      return readers::read_gltf(name, bytes, companions);
+    case Kind::Stl:
+    case Kind::Ply:
+    case Kind::Off:
+    case Kind::ThreeMf:
+      break;
+  }
+  const ModelFormat& format = kFormats[static_cast<std::size_t>(kind)];
+  return readers::read_in_child(name, bytes, std::string(format.extensions.front()));
+}
+
+void check_soup(const std::string& name, const PolygonSoup& soup) {
+  if (soup.n_faces() == 0) {
+    refuse(name, soup.points.empty() ? "there is no shape in it; export the model with its faces."
+                                     : "it holds points but no faces; export the model with its faces.");
+  }
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    const glm::dvec3& p = soup.points[i];
+    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    const bool is_number = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    if (is_number && largest <= kMaxCoordinate) continue;
+    refuse(name, "point " + std::to_string(i + 1) +
+                     (is_number ? " lies further out than 1e75; scale the model down."
+                                : " has a coordinate that is not a finite number; repair the point or export "
+                                  "the model again."));
+  }
+  const int n_points = static_cast<int>(soup.points.size());
+  for (int f = 0; f < soup.n_faces(); ++f) {
+    for (const int corner : soup.face(f)) {
+      if (corner >= 0 && corner < n_points) continue;
+      refuse(name, "face " + std::to_string(f + 1) + " names point " + std::to_string(corner + 1) +
+                       ", but there are only " + std::to_string(n_points) + "; export the model again.");
+    }
+  }
+}
+
+/// Texture coordinates that are no numbers would poison a drawing: they are left out, and told.
+void clean_uv(PolygonSoup& soup) {
+  bool was_bad = false;
+  for (glm::dvec2& uv : soup.corner_uv) {
+    if (std::isfinite(uv.x) && std::isfinite(uv.y)) continue;
+    uv = glm::dvec2(0);
+    was_bad = true;
+  }
+  if (was_bad) soup.notices.emplace_back("Some texture coordinates are not numbers; they were set to zero.");
+}
+
+/// A whole file; empty when it is no file, cannot be read or is too large.
+std::optional<std::string> file_bytes(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size > kMaxFileBytes) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (!file) return std::nullopt;
+  return bytes;
+}
+
+std::string model_bytes(const std::string& name, const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) refuse(path.string(), "there is no such file; check the path.");
+  if (std::filesystem::is_directory(path, error))
+    refuse(name, "this is a folder; open the model file inside it.");
+  if (!std::filesystem::is_regular_file(path, error)) refuse(name, "this is not a regular file.");
+  if (std::filesystem::file_size(path, error) > kMaxFileBytes) {
+    refuse(name,
+           "it is larger than 256 MB, far too much for paper; simplify it in a modelling program first.");
+  }
+  std::optional<std::string> bytes = file_bytes(path);
+  if (!bytes) refuse(name, "the file cannot be read; check its permissions.");
+  return std::move(*bytes);
+}
+
+}  // namespace
+
+std::span<const ModelFormat> model_formats() { return kFormats; }
+
+bool is_model_path(const std::filesystem::path& path) {
+  return kind_by_extension(extension_of(path)).has_value();
+}
+
+PolygonSoup read_soup_bytes(const std::string& name, std::string_view bytes,
+                            const CompanionLookup& companions) {
+  const Kind kind = kind_of(name, bytes);
+  const CompanionLookup none = [](const std::string&) { return std::nullopt; };
+  PolygonSoup soup = read_kind(kind, name, bytes, companions ? companions : none);
+  soup.name = name;
+  soup.up_axis = kFormats[static_cast<std::size_t>(kind)].up_axis;
+  check_soup(name, soup);
+  clean_uv(soup);
+  return soup;
+}
+
+PolygonSoup read_soup(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const std::string bytes = model_bytes(name, path);
+  const CompanionLookup beside = [&path](const std::string& written) {
+    std::string file = written;  // exporters on Windows write backslashes
+    std::ranges::replace(file, '\\', '/');
+    const std::filesystem::path wanted(file);
+    std::optional<std::string> found;
+    if (wanted.is_relative()) found = file_bytes(path.parent_path() / wanted);
+    return found ? found : file_bytes(path.parent_path() / wanted.filename());
+  };
+  return read_soup_bytes(name, bytes, beside);
+}
+
+}  // namespace netwright

@@ -1,0 +1,54 @@
+// Our side of reading through the helper program: look at the header, start the helper with limits, and turn
+// whatever way it ended into a soup or one sentence.
+#include "core/base/subprocess.h"
+#include "core/mesh/readers.h"
+
+namespace netwright::readers {
+namespace {
+
+// Ten thousand faces take some ten milliseconds; whoever needs longer than this is not reading any more.
+constexpr ChildLimits kReadLimits{
+    .seconds = 4, .memory_bytes = std::size_t{900} << 20, .output_bytes = std::size_t{400} << 20};
+
+std::filesystem::path helper() { return program_folder() / "netwright-read"; }
+
+/// What Assimp said, as the middle of a sentence.
+std::string as_clause(std::string_view said) {
+  std::string clause(said.substr(0, said.find('\n')));
+  while (!clause.empty() && (clause.back() == '.' || clause.back() == '!' || clause.back() == ' ')) {
+    clause.pop_back();
+  }
+  return clause.empty() ? "no reason given" : clause;
+}
+
+}  // namespace
+
+PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension) {
+  check_header(name, bytes, extension);
+  if (std::error_code error; !std::filesystem::exists(helper(), error)) {
+    refuse(name,
+           "the helper program " + helper().string() +
+               ", which reads this format, is missing; install Netwright again or export the model as OBJ.");
+  }
+  const ChildResult result = run_child(helper(), {extension}, bytes, kReadLimits);
+  switch (result.end) {
+    case ChildResult::End::TimedOut:
+    case ChildResult::End::Flooded:
+      refuse(name,
+             "reading it takes more time or memory than a model should; simplify it or export it as OBJ.");
+    case ChildResult::End::Crashed:
+      refuse(name,
+             "the file is damaged in a way that stops the program reading it; export it again, best as OBJ.");
+    case ChildResult::End::Exited:
+      break;
+  }
+  if (result.output.starts_with('E')) {
+    refuse(name, "the file is damaged (" + as_clause(std::string_view(result.output).substr(1)) +
+                     "); export it again.");
+  }
+  PolygonSoup soup = unpack(name, result.output);
+  soup.is_indexed = extension != "stl";
+  return soup;
+}
+
+}  // namespace netwright::readers

@@ -1,0 +1,32 @@
+// What the readers of the single formats share; only read.cpp, read_*.cpp and the helper program include it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/mesh/read.h"
+#include "core/mesh/soup.h"
+
+namespace netwright::readers {
+
+/// Throws Error(Read) with "name: what".
+[[noreturn]] void refuse(const std::string& name, const std::string& what);
+
+PolygonSoup read_obj(const std::string& name, std::string_view bytes, const CompanionLookup& companions);
+PolygonSoup read_gltf(const std::string& name, std::string_view bytes, const CompanionLookup& companions);
+
+/// Reads STL, PLY, OFF or 3MF in a child process, so that neither a crash nor a blow-up in the library that
+/// parses them costs the user anything. `extension` is one of "stl", "ply", "off", "3mf".
+PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension);
+
+/// Refuses a file whose header promises more than the file can hold, before anyone allocates that much.
+void check_header(const std::string& name, std::string_view bytes, const std::string& extension);
+
+/// A soup's shape (points, faces) as bytes and back, for the pipe between the two processes.
+std::string pack(const PolygonSoup& soup);
+PolygonSoup unpack(const std::string& name, std::string_view packed);
+
+/// The helper's own part: parses with Assimp. Throws Error(Read) with what Assimp said.
+PolygonSoup read_with_assimp(std::string_view bytes, const std::string& extension);
+
+}  // namespace netwright::readers
