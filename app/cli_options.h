@@ -1,0 +1,49 @@
+// What was asked for on the command line, as plain values. Only cli_options.cpp knows the library that reads
+// it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/paper.h"
+#include "core/sheet/pages.h"
+
+namespace netwright {
+
+struct UnfoldCommand {
+  std::filesystem::path model;
+  std::vector<std::filesystem::path> outputs;
+  std::uint64_t seed = 0;
+  double time_limit_s = 60;  ///< 0 = none
+  int streams = 2;
+  int threads = 0;  ///< 0 = as many as there are streams and cores
+  int root = 0;     ///< face number counted from 1, 0 = none
+  PaperSetup paper;
+  PrintSize size;
+  bool is_json = false;
+};
+
+struct VerifyCommand {
+  std::filesystem::path file;
+  bool is_json = false;
+};
+
+struct InfoCommand {
+  std::filesystem::path model;
+  bool is_json = false;
+};
+
+/// --help and --version: nothing is left to do but to print.
+struct PrintCommand {
+  std::string text;
+};
+
+using Command = std::variant<PrintCommand, UnfoldCommand, VerifyCommand, InfoCommand>;
+
+/// Throws Error(Usage) with one sentence.
+Command parse_command(int argc, const char* const* argv);
+
+}  // namespace netwright

@@ -1,0 +1,127 @@
+// Words and JSON for the results of the three commands.
+#include "app/cli_report.h"
+
+#include <array>
+#include <cstdio>
+
+namespace netwright {
+namespace {
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), pattern, values...);
+  return text.data();
+}
+
+std::string counted(std::int64_t n, const std::string& one, const std::string& several) {
+  return std::to_string(n) + " " + (n == 1 ? one : several);
+}
+
+std::string duration(double seconds) {
+  if (seconds < 0.001) return "under 1 ms";
+  if (seconds < 1) return format("%.0f ms", seconds * 1000);
+  return format("%.1f s", seconds);
+}
+
+std::string pieces_in_words(int n) { return n == 1 ? "One piece" : std::to_string(n) + " pieces"; }
+
+}  // namespace
+
+std::string model_line(const Mesh& mesh) {
+  std::string line = mesh.name() + ": " + counted(static_cast<std::int64_t>(mesh.n_faces()), "face", "faces");
+  if (mesh.n_components() > 1) line += ", " + std::to_string(mesh.n_components()) + " components";
+  line += mesh.is_closed() ? ", closed" : ", open";
+  return line + ", genus " + std::to_string(mesh.genus());
+}
+
+std::string result_line(const UnfoldOutcome& outcome, const UnfoldCommand& command) {
+  return pieces_in_words(outcome.result.proof.pieces) + ", proved: no overlaps · " +
+         counted(outcome.result.moves, "move", "moves") + " · " + duration(outcome.search_seconds) +
+         " · seed " + std::to_string(command.seed);
+}
+
+std::string files_line(const std::vector<std::filesystem::path>& files, const PageLayout& layout,
+                       const UnfoldCommand& command) {
+  std::string line;
+  for (const std::filesystem::path& file : files) line += (line.empty() ? "Written: " : ", ") + file.string();
+  return line + " (" + counted(static_cast<std::int64_t>(layout.pages.size()), "page ", "pages ") +
+         command.paper.format + ", the model " + format("%.3g mm", layout.model_height_mm) + " high)";
+}
+
+std::string unsolved_sentence(const Mesh& mesh, const SolveResult& result, const UnfoldCommand& command) {
+  if (result.overlaps.empty() && !result.proof.faults.empty()) {
+    return mesh.name() + " was unfolded but the net did not pass the proof (" + result.proof.faults.front() +
+           "); nothing was written.";
+  }
+  return mesh.name() + " could not be unfolded without overlaps within " +
+         format("%g s", command.time_limit_s) + " (" +
+         counted(static_cast<std::int64_t>(result.overlaps.size()), "overlap", "overlaps") +
+         " left), so nothing was written; try another --seed or a longer --time-limit.";
+}
+
+Json unfold_json(const UnfoldOutcome& outcome, const UnfoldCommand& command) {
+  const Mesh& mesh = outcome.mesh;
+  const SolveResult& result = outcome.result;
+  Json json;
+  json.set("model", command.model.string());
+  json.set("faces", static_cast<std::int64_t>(mesh.n_faces()));
+  json.set("vertices", static_cast<std::int64_t>(mesh.n_vertices()));
+  json.set("genus", mesh.genus());
+  json.set("closed", mesh.is_closed());
+  json.set("pieces", result.net.n_pieces);
+  json.set("overlaps", static_cast<std::int64_t>(result.overlaps.size()));
+  json.set("verified", result.is_proved);
+  json.set("seed", static_cast<std::int64_t>(command.seed));
+  json.set("iterations", result.iterations);
+  json.set("restarts", result.restarts);
+  json.set("cpu_seconds", result.cpu_seconds);
+  json.set("verify_seconds", result.verify_seconds);
+  json.set("wall_seconds", outcome.wall_seconds);
+  return json;
+}
+
+Json verify_json(const FlatNet& net, const VerifyReport& report, const VerifyCommand& command) {
+  Json faults{Json::Array{}};
+  for (const std::string& fault : report.faults) faults.add(fault);
+  Json json;
+  json.set("file", command.file.string());
+  json.set("faces", static_cast<std::int64_t>(net.faces.size()));
+  json.set("pieces", report.pieces);
+  json.set("overlaps", report.overlaps);
+  json.set("verified", report.is_net);
+  json.set("deepest_overlap", report.deepest_overlap);
+  json.set("worst_distortion", report.worst_distortion);
+  json.set("faults", faults);
+  return json;
+}
+
+Json info_json(const MeshReport& report, const std::string& refusal, const InfoCommand& command) {
+  Json notices{Json::Array{}};
+  for (const MeshReport::Line& line : report.lines) {
+    if (line.kind == MeshReport::Line::Kind::Notice) notices.add(line.text);
+  }
+  Json json;
+  json.set("model", command.model.string());
+  json.set("faces", report.n_faces);
+  json.set("vertices", report.n_vertices);
+  json.set("components", report.n_components);
+  json.set("genus", report.genus);
+  json.set("closed", report.is_closed);
+  json.set("manifold", report.is_manifold);
+  json.set("border_edges", report.n_border_edges);
+  json.set("uneven_faces", report.n_uneven_faces);
+  json.set("self_intersections", report.n_self_intersections);
+  json.set("fit", refusal.empty());
+  json.set("notices", notices);
+  json.set("problem", refusal.empty() ? Json() : Json(refusal));
+  return json;
+}
+
+void print(const std::string& text) { std::fputs((text + "\n").c_str(), stdout); }
+
+void complain(const std::string& sentence) {
+  std::fputs(("netwright-cli: " + sentence + "\n").c_str(), stderr);
+}
+
+}  // namespace netwright

@@ -1,0 +1,42 @@
+// How results are told: as a few calm lines for people, or as one JSON object for programs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli_options.h"
+#include "core/base/json.h"
+#include "core/mesh/mesh_report.h"
+#include "core/solve/solve.h"
+#include "core/unfold/verify.h"
+
+namespace netwright {
+
+struct UnfoldOutcome {
+  const Mesh& mesh;
+  const SolveResult& result;
+  double search_seconds = 0;  ///< wall clock
+  double wall_seconds = 0;    ///< of everything, reading and writing included
+};
+
+/// "bunny.obj: 370 faces, closed, genus 0"
+std::string model_line(const Mesh& mesh);
+/// "One piece, proved: no overlaps · 61 moves · 12 ms · seed 7"
+std::string result_line(const UnfoldOutcome& outcome, const UnfoldCommand& command);
+/// "bunny.pdf: 1 page A4, model 83 mm high"
+std::string files_line(const std::vector<std::filesystem::path>& files, const PageLayout& layout,
+                       const UnfoldCommand& command);
+/// Why there is no net, and what to try.
+std::string unsolved_sentence(const Mesh& mesh, const SolveResult& result, const UnfoldCommand& command);
+
+Json unfold_json(const UnfoldOutcome& outcome, const UnfoldCommand& command);
+Json verify_json(const FlatNet& net, const VerifyReport& report, const VerifyCommand& command);
+Json info_json(const MeshReport& report, const std::string& refusal, const InfoCommand& command);
+
+/// Text with a line end, to standard output.
+void print(const std::string& text);
+/// "netwright-cli: TEXT" to standard error.
+void complain(const std::string& sentence);
+
+}  // namespace netwright
