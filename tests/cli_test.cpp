@@ -1,0 +1,312 @@
+// The command line as people and scripts meet it: the real program is started as a child, and its exit
+// status, its words and its files are looked at.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "core/base/json.h"
+#include "core/mesh/shapes.h"
+
+extern char** environ;
+
+namespace netwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+struct Ended {
+  int status = -1;  ///< exit status; -1 when a signal ended it
+  std::string out;
+  std::string err;
+};
+
+/// A running netwright-cli; its two outputs go to files beside the test's own.
+class Child {
+ public:
+  Child(const fs::path& folder, const std::vector<std::string>& arguments)
+      : out_(folder / "stdout.txt"), err_(folder / "stderr.txt") {
+    std::vector<std::string> words{NETWRIGHT_CLI};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    constexpr int kNew = O_WRONLY | O_CREAT | O_TRUNC;
+    posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), kNew, 0644);
+    posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), kNew, 0644);
+    is_running_ = posix_spawn(&pid_, NETWRIGHT_CLI, &actions, nullptr, argv.data(), environ) == 0;
+    posix_spawn_file_actions_destroy(&actions);
+  }
+  ~Child() {
+    if (!is_running_) return;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  void interrupt() const { kill(pid_, SIGINT); }
+
+  Ended wait() {
+    Ended ended;
+    int status = 0;
+    if (is_running_ && waitpid(pid_, &status, 0) == pid_ && WIFEXITED(status))
+      ended.status = WEXITSTATUS(status);
+    is_running_ = false;
+    ended.out = content(out_);
+    ended.err = content(err_);
+    return ended;
+  }
+
+ private:
+  fs::path out_;
+  fs::path err_;
+  pid_t pid_ = 0;
+  bool is_running_ = false;
+};
+
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / ("netwright_cli_" + std::to_string(getpid()) + "_" + info->name());
+    fs::create_directories(folder_);
+  }
+  ~CommandLine() override {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return at(name);
+  }
+  std::string write(const std::string& name, const PolygonSoup& soup) const {
+    return write(name, shapes::to_obj(soup));
+  }
+  /// Far too large to be unfolded while a test waits.
+  [[nodiscard]] std::string endless_model() const { return write("endless.obj", shapes::torus(100, 100)); }
+  [[nodiscard]] Ended run(const std::vector<std::string>& arguments) const {
+    return Child(folder_, arguments).wait();
+  }
+  [[nodiscard]] Json run_json(const std::vector<std::string>& arguments, int expected_status) const {
+    const Ended ended = run(arguments);
+    EXPECT_EQ(ended.status, expected_status) << ended.err;
+    return parse_json(ended.out, "standard output");
+  }
+  /// What the commands added to the folder.
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename().string();
+      if (name != "stdout.txt" && name != "stderr.txt") names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  fs::path folder_;
+};
+
+/// Status 1, nothing on standard output, and one line on standard error that holds `words`.
+void expect_refusal(const Ended& ended, const std::string& words) {
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
+  EXPECT_TRUE(ended.err.ends_with(".\n")) << ended.err;
+}
+
+using Strings = std::vector<std::string>;
+
+TEST_F(CommandLine, UnfoldsACubeIntoEveryFormat) {
+  const std::string cube = write("cube.obj", shapes::cube());
+  const Ended ended = run(
+      {"unfold", cube, "-o", at("net.pdf"), "-o", at("net.svg"), "-o", at("net.fold"), "-o", at("net.png")});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(files(), (Strings{"cube.obj", "net.fold", "net.pdf", "net.png", "net.svg"}));
+  EXPECT_TRUE(content(at("net.pdf")).starts_with("%PDF-"));
+  EXPECT_TRUE(content(at("net.png")).starts_with("\x89PNG"));
+  EXPECT_NE(content(at("net.svg")).find("<svg"), std::string::npos);
+  EXPECT_NE(ended.out.find("cube.obj: 6 faces, closed, genus 0"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("One piece, proved: no overlaps"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("net.svg"), std::string::npos) << ended.out;
+}
+
+TEST_F(CommandLine, ReportsWithoutWritingWhenNoOutputIsNamed) {
+  const Ended ended = run({"unfold", write("cube.obj", shapes::cube())});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(files(), (Strings{"cube.obj"}));
+}
+
+TEST_F(CommandLine, PrintsOneJsonObjectWithAllItsKeys) {
+  const std::string model = write("torus.obj", shapes::torus(8, 5));
+  const Json json = run_json({"unfold", model, "--json", "--seed", "7"}, 0);
+  ASSERT_NE(json.object(), nullptr);
+  Strings keys;
+  for (const auto& member : *json.object()) keys.push_back(member.first);
+  EXPECT_EQ(keys,
+            (Strings{"model", "faces", "vertices", "genus", "closed", "pieces", "overlaps", "verified",
+                     "seed", "iterations", "restarts", "cpu_seconds", "verify_seconds", "wall_seconds"}));
+  EXPECT_EQ(*json.find("model")->text(), model);
+  EXPECT_EQ(json.find("faces")->integer(), 80);
+  EXPECT_EQ(json.find("vertices")->integer(), 40);
+  EXPECT_EQ(json.find("genus")->integer(), 1);
+  EXPECT_EQ(json.find("closed")->boolean(), true);
+  EXPECT_EQ(json.find("pieces")->integer(), 1);
+  EXPECT_EQ(json.find("overlaps")->integer(), 0);
+  EXPECT_EQ(json.find("verified")->boolean(), true);
+  EXPECT_EQ(json.find("seed")->integer(), 7);
+  EXPECT_GE(json.find("wall_seconds")->number().value(), json.find("verify_seconds")->number().value());
+}
+
+TEST_F(CommandLine, UnfoldsEachComponentIntoAPieceOfItsOwn) {
+  const std::string two = write("two.obj", shapes::combined(shapes::cube(), shapes::octahedron(), {5, 0, 0}));
+  const Json json = run_json({"unfold", two, "--json", "-o", at("two.fold")}, 0);
+  EXPECT_EQ(json.find("pieces")->integer(), 2);
+  EXPECT_EQ(run({"verify", at("two.fold")}).status, 0);
+}
+
+TEST_F(CommandLine, GivesTheSameNetForTheSameSeedOnAnyNumberOfThreads) {
+  const std::string model = write("sphere.obj", shapes::icosphere(4));
+  EXPECT_EQ(run({"unfold", model, "-o", at("a.fold"), "--seed", "5", "--threads", "1"}).status, 0);
+  EXPECT_EQ(run({"unfold", model, "-o", at("b.fold"), "--seed", "5", "--threads", "2"}).status, 0);
+  EXPECT_EQ(run({"unfold", model, "-o", at("c.fold"), "--seed", "6", "--threads", "2"}).status, 0);
+  EXPECT_EQ(content(at("a.fold")), content(at("b.fold")));
+  EXPECT_NE(content(at("a.fold")), content(at("c.fold")));
+}
+
+TEST_F(CommandLine, StartsAtTheFaceThatIsAskedFor) {
+  const std::string model = write("solid.obj", shapes::icosahedron());
+  EXPECT_EQ(run({"unfold", model, "--root", "20"}).status, 0);
+  expect_refusal(run({"unfold", model, "--root", "21"}), "faces 1 to 20");
+  expect_refusal(run({"unfold", model, "--root", "0"}), "--root");
+}
+
+TEST_F(CommandLine, PrintsAtTheHeightThatIsAskedFor) {
+  const std::string model = write("cube.obj", shapes::cube());
+  const Ended ended = run({"unfold", model, "-o", at("big.pdf"), "--height", "150", "--paper", "a4"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("150 mm high"), std::string::npos) << ended.out;
+  expect_refusal(run({"unfold", model, "--height", "150", "--fit-page"}), "--height");
+  expect_refusal(run({"unfold", model, "--height", "-1"}), "--height");
+  expect_refusal(run({"unfold", model, "--paper", "A99"}), "A99");
+}
+
+TEST_F(CommandLine, VerifiesWhatItWroteAndNothingElse) {
+  const std::string model = write("solid.obj", shapes::dodecahedron());
+  ASSERT_EQ(run({"unfold", model, "-o", at("net.fold")}).status, 0);
+  const Ended good = run({"verify", at("net.fold")});
+  EXPECT_EQ(good.status, 0) << good.out;
+  EXPECT_NE(good.out.find("12 faces in one piece"), std::string::npos) << good.out;
+  const Json json = run_json({"verify", at("net.fold"), "--json"}, 0);
+  EXPECT_EQ(json.find("verified")->boolean(), true);
+  EXPECT_EQ(json.find("pieces")->integer(), 1);
+
+  std::string text = content(at("net.fold"));
+  const std::size_t coordinates = text.find("vertices_coords");
+  ASSERT_NE(coordinates, std::string::npos);
+  const std::size_t digit = text.find_first_of("123456789", text.find('[', coordinates));
+  text[digit] = text[digit] == '9' ? '8' : static_cast<char>(text[digit] + 1);
+  const Ended bad = run({"verify", write("bad.fold", text)});
+  EXPECT_EQ(bad.status, 2) << bad.out;
+  EXPECT_NE(bad.out.find("Not a net"), std::string::npos);
+  expect_refusal(run({"verify", write("half.fold", text.substr(0, text.size() / 2))}), "half.fold");
+  expect_refusal(run({"verify", at("none.fold")}), "none.fold");
+}
+
+TEST_F(CommandLine, TellsWhatAModelHolds) {
+  const Ended good = run({"info", write("torus.obj", shapes::torus(8, 5))});
+  EXPECT_EQ(good.status, 0);
+  EXPECT_NE(good.out.find("80 faces"), std::string::npos) << good.out;
+  const std::string fan = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n";
+  EXPECT_EQ(run({"info", write("fan.obj", fan)}).status, 2);
+  EXPECT_EQ(run_json({"info", at("fan.obj"), "--json"}, 2).find("fit")->boolean(), false);
+  expect_refusal(run({"info", write("empty.obj", "")}), "empty.obj");
+}
+
+TEST_F(CommandLine, RefusesWhatCannotWorkBeforeItSearches) {
+  const std::string model = endless_model();
+  expect_refusal(run({"unfold", model, "-o", at("net.doc")}), ".pdf");
+  expect_refusal(run({"unfold", model, "-o", at("net")}), ".pdf");
+  expect_refusal(run({"unfold", model, "-o", at("nowhere/net.pdf")}), "does not exist");
+  expect_refusal(run({"unfold", model, "--streams", "0"}), "--streams");
+  expect_refusal(run({"unfold", model, "--fast"}), "--fast");
+  expect_refusal(run({"unfold"}), "MODEL");
+  expect_refusal(run({"fold", model}), "--help");
+  expect_refusal(run({}), "--help");
+  EXPECT_EQ(files(), (Strings{"endless.obj"}));
+}
+
+TEST_F(CommandLine, WritesNothingWhenTheModelCannotBeUsed) {
+  expect_refusal(run({"unfold", at("none.obj"), "-o", at("net.pdf")}), "none.obj");
+  expect_refusal(run({"unfold", write("junk.obj", "\xff\xd8\xff\xe0 not a model"), "-o", at("net.pdf")}),
+                 "junk.obj");
+  expect_refusal(run({"unfold", write("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n"), "-o",
+                      at("net.pdf")}),
+                 "flat");
+  EXPECT_EQ(files(), (Strings{"bent.obj", "junk.obj"}));
+}
+
+TEST_F(CommandLine, WritesNothingWhenTheTimeIsUp) {
+  const std::string model = endless_model();
+  const Json json = run_json({"unfold", model, "-o", at("net.pdf"), "--time-limit", "0.3", "--json"}, 2);
+  EXPECT_EQ(json.find("verified")->boolean(), false);
+  EXPECT_GT(json.find("overlaps")->integer(), 0);
+  const Ended ended = run({"unfold", model, "-o", at("net.pdf"), "--time-limit", "0.3"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("--time-limit"), std::string::npos);
+  EXPECT_EQ(files(), (Strings{"endless.obj"}));
+}
+
+TEST_F(CommandLine, EndsWithStatus130OnCtrlC) {
+  write("net.pdf", std::string("what was there before"));
+  Child child(folder_, {"unfold", endless_model(), "-o", at("net.pdf"), "--time-limit", "0"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  child.interrupt();
+  const Ended ended = child.wait();
+  EXPECT_EQ(ended.status, 130);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(content(at("net.pdf")), "what was there before");
+}
+
+TEST_F(CommandLine, ExplainsItself) {
+  const Ended help = run({"--help"});
+  EXPECT_EQ(help.status, 0);
+  for (const char* word : {"unfold", "verify", "info", "Exit status"}) {
+    EXPECT_NE(help.out.find(word), std::string::npos) << word;
+  }
+  const Ended unfold = run({"unfold", "--help"});
+  EXPECT_EQ(unfold.status, 0);
+  for (const char* word : {"--seed", "--time-limit", "--streams", "--threads", "--root", "--paper",
+                           "--height", "--fit-page", "--json", "--output"}) {
+    EXPECT_NE(unfold.out.find(word), std::string::npos) << word;
+  }
+  const Ended version = run({"--version"});
+  EXPECT_EQ(version.status, 0);
+  EXPECT_TRUE(version.out.starts_with("netwright-cli ")) << version.out;
+}
+
+}  // namespace
+}  // namespace netwright
