@@ -40,13 +40,13 @@ PageFrame make_frame(const PaperSetup& paper, bool is_landscape) {
   const bool is_one_row = width >= 3 * kLegendColumn + kRulerLength + 5;
   const bool has_upright_ruler = width < kRulerLength + 1;
   const double footer = is_one_row          ? kFooterHeight
-                        : has_upright_ruler ? kLegendHeight
+                        : has_upright_ruler ? kLegendHeight + kNoteHeight
                                             : kFooterHeight + kLegendHeight;
   frame.header = {low, {high.x, low.y + kHeaderHeight}};
   frame.footer = {{low.x, high.y - footer}, high};
   frame.net = {{low.x, frame.header.max.y + kStripGap}, {high.x, frame.footer.min.y - kStripGap}};
   if (has_upright_ruler) {
-    frame.side = {frame.net.min, {low.x + kSideWidth, frame.net.max.y}};
+    frame.side = {{low.x, frame.header.max.y}, {low.x + kSideWidth, frame.footer.min.y}};
     frame.net.min.x = frame.side.max.x + kStripGap;
   }
   frame.net.min += kNetInset;

@@ -37,6 +37,7 @@ inline constexpr double kHeaderHeight = 11;
 inline constexpr double kStripGap = 3;         ///< between a strip and the net
 inline constexpr double kFooterHeight = 11;    ///< legend and ruler side by side
 inline constexpr double kLegendHeight = 6.5;   ///< the legend alone, when the ruler goes elsewhere
+inline constexpr double kNoteHeight = 4;       ///< one line of small print
 inline constexpr double kSideWidth = 12;       ///< upright ruler
 inline constexpr double kLegendColumn = 27.5;  ///< one entry of the legend
 inline constexpr double kRulerLength = 100;

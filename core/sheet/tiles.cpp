@@ -29,6 +29,8 @@ Box2 own_share(const TileGrid& grid, int column, int row) {
           {column + 1 == grid.columns ? kFar : high.x, row + 1 == grid.rows ? kFar : high.y}};
 }
 
+}  // namespace
+
 int winding_number(const std::vector<Segment>& outline, glm::dvec2 p) {
   int winding = 0;
   for (const auto& [a, b] : outline) {
@@ -39,8 +41,6 @@ int winding_number(const std::vector<Segment>& outline, glm::dvec2 p) {
   }
   return winding;
 }
-
-}  // namespace
 
 TileGrid TileGrid::covering(glm::dvec2 size, glm::dvec2 window, double overlap) {
   return {window, overlap, count_for(size.x, window.x, overlap), count_for(size.y, window.y, overlap)};

@@ -35,6 +35,9 @@ struct TileGrid {
 /// row by row.
 std::vector<char> needed_tiles(const TileGrid& grid, const std::vector<Segment>& outline);
 
+/// How often the outline winds around a point: 0 outside.
+int winding_number(const std::vector<Segment>& outline, glm::dvec2 point);
+
 /// "A1" is the first row and column; after row Z comes AA.
 std::string tile_tag(int row, int column);
 

@@ -1,0 +1,77 @@
+// The parts a sheet is drawn from: the net's lines, and what stands around them. Used by draw_sheets only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/sheet/font.h"
+#include "core/sheet/sheet.h"
+#include "core/sheet/tiles.h"
+
+namespace netwright {
+
+/// The net's lines on their canvases, in mm.
+struct NetLines {
+  struct Outline {
+    int canvas = 0;
+    std::vector<glm::dvec2> points;  ///< closed
+  };
+  struct Fold {
+    int canvas = 0;
+    glm::dvec2 from{0, 0};
+    glm::dvec2 to{0, 0};
+    EdgeKind kind = EdgeKind::Mountain;
+  };
+  std::vector<Outline> outlines;
+  std::vector<Fold> folds;  ///< mountains and valleys
+};
+NetLines net_lines(const Net& net, const PageLayout& layout);
+
+/// What of the net lies on a page, clipped to its frame: folds first, outlines over them.
+void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, const PageLayout::Page& page);
+
+/// A stroke in the style of an edge kind, dashes fitted to its length.
+Stroke net_stroke(EdgeKind kind, glm::dvec2 from, glm::dvec2 to);
+
+/// Crosses in the middle of the overlaps, the tile's borders and the neighbours' names.
+void draw_tile_marks(Sheet& sheet, const PageLayout& layout, const PageLayout::Page& page, const Font& font);
+
+/// The words of the title block that are the same on every page.
+struct TitleWords {
+  std::string title;
+  std::string figures;  ///< scale, height, faces, seed
+  std::string proof;
+  bool is_proved = false;
+};
+TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info);
+
+/// Title block, legend and ruler.
+class MarginArtist {
+ public:
+  MarginArtist(const PageLayout& layout, TitleWords words) : layout_(layout), words_(std::move(words)) {}
+  void draw(Sheet& sheet, const PageLayout::Page& page) const;
+  [[nodiscard]] const Font& font() const { return regular_; }
+
+ private:
+  void draw_header(Sheet& sheet, const PageLayout::Page& page) const;
+  [[nodiscard]] double draw_map(Sheet& sheet, const PageLayout::Page& page, double right) const;
+  void draw_proof(Sheet& sheet, double right, double baseline) const;
+  void draw_footer(Sheet& sheet) const;
+  void draw_legend(Sheet& sheet, bool is_stacked) const;
+  [[nodiscard]] double word_width(const Text& text) const;
+  void add_text(Sheet& sheet, Text text, double align) const;
+
+  const PageLayout& layout_;
+  TitleWords words_;
+  Font regular_{FontWeight::Regular};
+  Font semi_bold_{FontWeight::SemiBold};
+};
+
+/// A 100 mm ruler (50 mm where less room is left) with labels, from its zero mark, to the right or upwards.
+void draw_ruler(Sheet& sheet, glm::dvec2 zero, bool is_upright, double length_mm, const Font& font);
+
+/// A 50 mm square to check the scale by, if the page has room beside the net.
+void draw_test_square(Sheet& sheet, const NetLines& lines, const PageLayout& layout,
+                      const PageLayout::Page& page);
+
+}  // namespace netwright

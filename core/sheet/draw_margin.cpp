@@ -1,0 +1,226 @@
+// What stands around the net: title block with scale, proof and page number, the map of the tiles, and the
+// legend.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/sheet/draw.h"
+#include "core/sheet/number_text.h"
+#include "core/sheet/print_style.h"
+
+namespace netwright {
+
+namespace {
+
+using namespace print_style;
+
+constexpr double kLeft = 0;
+constexpr double kCentre = 0.5;
+constexpr double kRight = 1;
+
+constexpr double kTitleSize = 4.8;
+constexpr double kPageSize = 3.3;
+constexpr double kSmallSize = 2.5;
+constexpr double kTitleBaseline = 4.3;
+constexpr double kSmallBaseline = 8.6;
+constexpr double kMapHeight = 9.4;
+constexpr double kMapWidth = 22;
+
+Stroke hairline(glm::dvec2 from, glm::dvec2 to) {
+  return {Layer::Print, {from, to}, false, kHairlineWidth, kHairline, {}, 0};
+}
+
+std::string counted(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+/// Shortens words until they fit, with an ellipsis for what is left out.
+std::string fitted(const Font& font, const std::string& words, double size_mm, double room_mm) {
+  if (font.width(words, size_mm) <= room_mm) return words;
+  std::string kept = words;
+  while (!kept.empty() && font.width(kept + "…", size_mm) > room_mm) {
+    // A character goes as a whole: the bytes that continue it, then the one that leads it.
+    while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xc0U) == 0x80U) kept.pop_back();
+    if (!kept.empty()) kept.pop_back();
+  }
+  return kept + "…";
+}
+
+}  // namespace
+
+TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info) {
+  const Mesh& mesh = net.mesh();
+  TitleWords words;
+  words.title = clean_utf8(info.title.empty() ? mesh.name() : info.title);
+  if (words.title.empty()) words.title = "Model";
+  words.figures = "Scale 1 unit = " + short_number(layout.scale) + " mm";
+  if (layout.model_height_mm > 1e-6)
+    words.figures += ", model " + short_number(layout.model_height_mm) + " mm high";
+  words.figures += "  ·  " + counted(mesh.n_faces(), "face");
+  if (info.seed) words.figures += "  ·  seed " + std::to_string(*info.seed);
+  const std::string pieces =
+      net.n_pieces == 1 ? "one piece" : counted(static_cast<std::size_t>(net.n_pieces), "piece");
+  words.is_proved = info.is_proved;
+  words.proof = pieces + (info.is_proved ? ", proved: no overlaps" : ", not proved free of overlaps");
+  return words;
+}
+
+double MarginArtist::word_width(const Text& text) const {
+  return (text.weight == FontWeight::Regular ? regular_ : semi_bold_).width(text.words, text.size_mm);
+}
+
+void MarginArtist::add_text(Sheet& sheet, Text text, double align) const {
+  text.at.x -= align * word_width(text);
+  sheet.texts.push_back(std::move(text));
+}
+
+void MarginArtist::draw(Sheet& sheet, const PageLayout::Page& page) const {
+  draw_header(sheet, page);
+  draw_footer(sheet);
+}
+
+void MarginArtist::draw_header(Sheet& sheet, const PageLayout::Page& page) const {
+  const Box2 box = layout_.frame.header;
+  const double title_y = box.min.y + kTitleBaseline;
+  const double small_y = box.min.y + kSmallBaseline;
+  double right = box.max.x;
+  if (!page.tag.empty()) right = draw_map(sheet, page, right) - 4;
+
+  Text number{Layer::Print, {right, title_y}, "", kPageSize, FontWeight::Regular, kInk};
+  number.words = "page " + std::to_string(sheet.number) + " of " + std::to_string(sheet.count);
+  const double number_left = right - word_width(number);
+  add_text(sheet, number, kRight);
+  double title_right = number_left;
+  if (!page.tag.empty()) {
+    const Text tag{Layer::Print, {number_left - 3, title_y}, page.tag,
+                   kTitleSize,   FontWeight::SemiBold,       kInk};
+    title_right -= 3 + word_width(tag);
+    add_text(sheet, tag, kRight);
+  }
+  const std::string title = fitted(semi_bold_, words_.title, kTitleSize, title_right - box.min.x - 5);
+  add_text(sheet, {Layer::Print, {box.min.x, title_y}, title, kTitleSize, FontWeight::SemiBold, kInk}, kLeft);
+
+  const double proof_left = right - regular_.width(words_.proof, kSmallSize) - (words_.is_proved ? 4 : 0);
+  draw_proof(sheet, right, small_y);
+  const std::string figures = fitted(regular_, words_.figures, kSmallSize, proof_left - box.min.x - 4);
+  add_text(sheet, {Layer::Print, {box.min.x, small_y}, figures, kSmallSize, FontWeight::Regular, kQuietInk},
+           kLeft);
+  sheet.strokes.push_back(hairline({box.min.x, box.max.y}, box.max));
+}
+
+/// The proof in words, right-aligned, with a tick in a green disc when there is one.
+void MarginArtist::draw_proof(Sheet& sheet, double right, double baseline) const {
+  const Text text{Layer::Print, {right, baseline},   words_.proof,
+                  kSmallSize,   FontWeight::Regular, words_.is_proved ? kGood : kQuietInk};
+  add_text(sheet, text, kRight);
+  if (!words_.is_proved) return;
+  const glm::dvec2 centre(right - word_width(text) - 2.6, baseline - 0.9);
+  Fill disc{Layer::Print, {}, kGood};
+  for (int k = 0; k < 48; ++k)
+    disc.points.push_back(centre + 1.5 * Rigid2::rotation(k * 0.1308996938995747).rotate({1, 0}));
+  sheet.fills.push_back(std::move(disc));
+  sheet.strokes.push_back(
+      {Layer::Print,
+       {centre + glm::dvec2(-0.7, 0.05), centre + glm::dvec2(-0.2, 0.55), centre + glm::dvec2(0.75, -0.5)},
+       false,
+       0.32,
+       {1, 1, 1},
+       {},
+       0});
+}
+
+/// The sheets of this canvas as little pages, this one dark. Returns the map's left side.
+double MarginArtist::draw_map(Sheet& sheet, const PageLayout::Page& page, double right) const {
+  const PageLayout::Canvas& canvas = layout_.canvases[static_cast<std::size_t>(page.canvas)];
+  const glm::dvec2 paper(layout_.frame.width_mm, layout_.frame.height_mm);
+  const double scale = std::min(kMapHeight / (canvas.rows * paper.y), kMapWidth / (canvas.columns * paper.x));
+  const glm::dvec2 cell = paper * scale;
+  const double seam = std::min({0.3, 0.15 * cell.x, 0.15 * cell.y});
+  const glm::dvec2 corner(right - canvas.columns * cell.x, layout_.frame.header.min.y);
+  for (const PageLayout::Page& other : layout_.pages) {
+    if (other.canvas != page.canvas) continue;
+    const glm::dvec2 low = corner + glm::dvec2(other.column, other.row) * cell;
+    const glm::dvec2 high = low + cell - seam;
+    const bool is_here = other.column == page.column && other.row == page.row;
+    sheet.fills.push_back(
+        {Layer::Print, {low, {high.x, low.y}, high, {low.x, high.y}}, is_here ? kMapHere : kMapPaper});
+  }
+  return corner.x;
+}
+
+void MarginArtist::draw_footer(Sheet& sheet) const {
+  const PageFrame& frame = layout_.frame;
+  const Box2 box = frame.footer;
+  const double width = box.max.x - box.min.x;
+  sheet.strokes.push_back(hairline(box.min, {box.max.x, box.min.y}));
+  const bool is_one_row = box.max.y - box.min.y < kFooterHeight + 1 && frame.side.is_empty();
+  draw_legend(sheet, !is_one_row);
+
+  const std::string note = "Print at 100 %, not “fit to page”: then this ruler is true.";
+  const Text text{Layer::Print, {0, 0}, note, 2.3, FontWeight::Regular, kQuietInk};
+  if (!frame.side.is_empty()) {
+    Text low = text;
+    low.at = {box.min.x, box.max.y - 0.7};
+    low.words = fitted(regular_, note, low.size_mm, width);
+    add_text(sheet, low, kLeft);
+    const double height = frame.side.max.y - frame.side.min.y;
+    const double length = height >= kRulerLength + 3 ? kRulerLength : kRulerLength / 2;
+    draw_ruler(sheet, {frame.side.min.x, frame.side.min.y + (height + length) / 2}, true, length, regular_);
+    return;
+  }
+  const double top = box.max.y - kFooterHeight;
+  const double zero = is_one_row ? box.max.x - kRulerLength - 3 : box.min.x + 1;
+  Text above = text;
+  above.at = {zero, top + 3.9};
+  add_text(sheet, above, kLeft);
+  draw_ruler(sheet, {zero, top + 5.3}, false, kRulerLength, regular_);
+}
+
+/// Real samples of the three kinds of line: over their names where the ruler stands beside them, else before
+/// them.
+void MarginArtist::draw_legend(Sheet& sheet, bool is_stacked) const {
+  struct Entry {
+    EdgeKind kind;
+    const char* name;
+  };
+  constexpr std::array<Entry, 3> kEntries = {
+      {{EdgeKind::Cut, "cut"}, {EdgeKind::Mountain, "mountain fold"}, {EdgeKind::Valley, "valley fold"}}};
+  const glm::dvec2 corner = layout_.frame.footer.min;
+  const double width = layout_.frame.footer.size().x;
+  const double column = std::min(kLegendColumn, width / 3);
+  const double sample = is_stacked ? 8.1 : 18.3;
+  for (std::size_t i = 0; i < kEntries.size(); ++i) {
+    const glm::dvec2 from = corner + glm::dvec2(static_cast<double>(i) * column, is_stacked ? 4.0 : 6.9);
+    Stroke stroke = net_stroke(kEntries[i].kind, from, from + glm::dvec2(sample, 0));
+    stroke.layer = Layer::Print;
+    sheet.strokes.push_back(std::move(stroke));
+    const glm::dvec2 at = from + (is_stacked ? glm::dvec2(sample + 1.5, 0.85) : glm::dvec2(0, 3.6));
+    add_text(sheet, {Layer::Print, at, kEntries[i].name, 2.4, FontWeight::Regular, kInk}, kLeft);
+  }
+  const Text side{Layer::Print, corner + glm::dvec2(0, 3.9), "The printed side is the outside.",
+                  2.3,          FontWeight::Regular,         kQuietInk};
+  if (!is_stacked) add_text(sheet, side, kLeft);
+}
+
+void draw_ruler(Sheet& sheet, glm::dvec2 zero, bool is_upright, double length_mm, const Font& font) {
+  constexpr double kLabelSize = 2.2;
+  const glm::dvec2 along = is_upright ? glm::dvec2(0, -1) : glm::dvec2(1, 0);
+  const glm::dvec2 across = is_upright ? glm::dvec2(1, 0) : glm::dvec2(0, 1);
+  const auto line = [&](glm::dvec2 from, glm::dvec2 to) {
+    sheet.strokes.push_back({Layer::Print, {from, to}, false, kRulerWidth, kInk, {}, 0});
+  };
+  line(zero, zero + along * length_mm);
+  for (int mm = 0; mm <= static_cast<int>(length_mm); ++mm) {
+    const double tick = mm % 10 == 0 ? 2.7 : mm % 5 == 0 ? 1.9 : 1.1;
+    const glm::dvec2 at = zero + along * static_cast<double>(mm);
+    line(at, at + across * tick);
+    if (mm % 10 != 0) continue;
+    const std::string words = std::to_string(mm);
+    const double width = font.width(words, kLabelSize);
+    const glm::dvec2 label = is_upright ? glm::dvec2(tick + 0.8, kLabelSize * 0.36)
+                                        : glm::dvec2(-width / 2, tick + 0.9 + kLabelSize * 0.73);
+    sheet.texts.push_back({Layer::Print, at + label, words, kLabelSize, FontWeight::Regular, kQuietInk});
+  }
+}
+
+}  // namespace netwright

@@ -1,0 +1,137 @@
+// The net's own lines on a page: outlines joined and clipped, folds with dashes that fit their whole edge, so
+// that a fold that runs over two tiles meets its other half in phase.
+#include <cmath>
+
+#include "core/sheet/dash.h"
+#include "core/sheet/draw.h"
+#include "core/sheet/outline.h"
+#include "core/sheet/print_style.h"
+
+namespace netwright {
+
+namespace {
+
+using namespace print_style;
+
+Box2 window_on_canvas(const PageLayout& layout, const PageLayout::Page& page) {
+  return {page.origin, page.origin + layout.frame.net.size()};
+}
+
+/// The tile one step away, if it is printed; else null.
+const PageLayout::Page* neighbour(const PageLayout& layout, const PageLayout::Page& page, int right,
+                                  int down) {
+  for (const PageLayout::Page& other : layout.pages)
+    if (other.canvas == page.canvas && other.column == page.column + right && other.row == page.row + down)
+      return &other;
+  return nullptr;
+}
+
+Stroke mark(glm::dvec2 from, glm::dvec2 to) {
+  return {Layer::Regmarks, {from, to}, false, kHairlineWidth, kQuietInk, {}, 0};
+}
+
+}  // namespace
+
+NetLines net_lines(const Net& net, const PageLayout& layout) {
+  const Mesh& mesh = net.mesh();
+  const auto point = [&](HalfedgeId h) { return layout.on_canvas(net.piece[mesh.face(h)], net.corner(h)); };
+  const auto canvas = [&](int piece) { return layout.pieces[static_cast<std::size_t>(piece)].canvas; };
+  NetLines lines;
+  for (const OutlineLoop& loop : outline_loops(net)) {
+    NetLines::Outline outline{canvas(loop.piece), {}};
+    for (const HalfedgeId h : loop.sides) outline.points.push_back(point(h));
+    lines.outlines.push_back(std::move(outline));
+  }
+  const IdVector<EdgeId, EdgeKind> kinds = edge_kinds(net);
+  for (const FaceId f : mesh.faces()) {
+    if (net.tree.is_root(f)) continue;
+    const HalfedgeId h = net.tree.to_parent(f);
+    const EdgeKind kind = kinds[mesh.edge(h)];
+    if (kind == EdgeKind::Mountain || kind == EdgeKind::Valley)
+      lines.folds.push_back({canvas(net.piece[f]), point(h), point(mesh.next(h)), kind});
+  }
+  return lines;
+}
+
+Stroke net_stroke(EdgeKind kind, glm::dvec2 from, glm::dvec2 to) {
+  const double length = glm::length(to - from);
+  switch (kind) {
+    case EdgeKind::Mountain:
+      return {Layer::Mountain,
+              {from, to},
+              false,
+              kFoldWidth,
+              kMountainColour,
+              fit_dash(kMountainDash, length),
+              0};
+    case EdgeKind::Valley:
+      return {Layer::Valley, {from, to}, false, kFoldWidth, kValleyColour, fit_dash(kValleyDash, length), 0};
+    default:
+      return {Layer::Cut, {from, to}, false, kCutWidth, kCutColour, {}, 0};
+  }
+}
+
+void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, const PageLayout::Page& page) {
+  const Box2 window = window_on_canvas(layout, page);
+  for (const NetLines::Fold& fold : lines.folds) {
+    if (fold.canvas != page.canvas) continue;
+    const auto part = clip_segment(window, fold.from, fold.to);
+    if (!part) continue;
+    Stroke stroke = net_stroke(fold.kind, fold.from, fold.to);
+    const glm::dvec2 along = fold.to - fold.from;
+    stroke.points = {layout.on_page(page, fold.from + along * part->first),
+                     layout.on_page(page, fold.from + along * part->second)};
+    stroke.dash_phase_mm = part->first * glm::length(along);
+    sheet.strokes.push_back(std::move(stroke));
+  }
+  for (const NetLines::Outline& outline : lines.outlines) {
+    if (outline.canvas != page.canvas) continue;
+    ClippedLine clipped = clip_polyline(window, outline.points, true);
+    for (std::vector<glm::dvec2>& run : clipped.runs) {
+      for (glm::dvec2& p : run) p = layout.on_page(page, p);
+      sheet.strokes.push_back({Layer::Cut, std::move(run), clipped.is_whole, kCutWidth, kCutColour, {}, 0});
+    }
+  }
+}
+
+void draw_tile_marks(Sheet& sheet, const PageLayout& layout, const PageLayout::Page& page, const Font& font) {
+  constexpr double kArm = 3;
+  constexpr double kNameSize = 2.6;
+  const Box2 frame = layout.frame.net;
+  const double half = layout.overlap_mm / 2;
+  for (const double x : {frame.min.x + half, frame.max.x - half})
+    for (const double y : {frame.min.y + half, frame.max.y - half}) {
+      sheet.strokes.push_back(mark({x - kArm, y}, {x + kArm, y}));
+      sheet.strokes.push_back(mark({x, y - kArm}, {x, y + kArm}));
+    }
+  const auto name = [&](const std::string& words, glm::dvec2 centre) {
+    const double width = font.width(words, kNameSize);
+    sheet.texts.push_back({Layer::Print, centre + glm::dvec2(-width / 2, kNameSize * 0.36), words, kNameSize,
+                           FontWeight::Regular, kQuietInk});
+  };
+  const auto border = [&](glm::dvec2 from, glm::dvec2 to) {
+    Stroke stroke = mark(from, to);
+    stroke.colour = kHairline;
+    sheet.strokes.push_back(std::move(stroke));
+  };
+  // Names stand beside the crosses, where the middle of an edge would more often meet the net.
+  const double beside = layout.overlap_mm * 1.15;
+  if (const auto* const other = neighbour(layout, page, -1, 0)) {
+    border(frame.min, {frame.min.x, frame.max.y});
+    name(other->tag, {frame.min.x + half, frame.min.y + beside});
+  }
+  if (const auto* const other = neighbour(layout, page, 1, 0)) {
+    border({frame.max.x, frame.min.y}, frame.max);
+    name(other->tag, {frame.max.x - half, frame.min.y + beside});
+  }
+  if (const auto* const other = neighbour(layout, page, 0, -1)) {
+    border(frame.min, {frame.max.x, frame.min.y});
+    name(other->tag, {frame.min.x + beside, frame.min.y + half});
+  }
+  if (const auto* const other = neighbour(layout, page, 0, 1)) {
+    border({frame.min.x, frame.max.y}, frame.max);
+    name(other->tag, {frame.min.x + beside, frame.max.y - half});
+  }
+}
+
+}  // namespace netwright

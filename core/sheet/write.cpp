@@ -1,0 +1,86 @@
+// The table of output formats, and one writer for each.
+#include "core/sheet/write.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+#include "core/sheet/fold_file.h"
+
+namespace netwright {
+
+namespace {
+
+using std::filesystem::path;
+
+constexpr std::array<ExportFormat, 4> kFormats = {
+    {{".pdf", "PDF, true to scale, all pages"},
+     {".svg", "SVG with layers for cutting machines, one file per page"},
+     {".png", "PNG at 300 dpi, one file per page"},
+     {".fold", "FOLD 1.2, the net as data that can be verified"}}};
+
+std::string lower_extension(const path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+/// name.png, or name_3.png for the third of several.
+path page_path(const path& file, const Sheet& sheet) {
+  if (sheet.count == 1) return file;
+  path numbered = file;
+  numbered.replace_filename(file.stem().string() + "_" + std::to_string(sheet.number) +
+                            file.extension().string());
+  return numbered;
+}
+
+template <class ToBytes>
+std::vector<path> write_pages(const path& file, const std::vector<Sheet>& sheets, const ToBytes& to_bytes) {
+  std::vector<path> written;
+  for (const Sheet& sheet : sheets) {
+    written.push_back(page_path(file, sheet));
+    write_file(written.back(), to_bytes(sheet));
+  }
+  return written;
+}
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() { return kFormats; }
+
+bool is_export_format(const path& file) {
+  const std::string extension = lower_extension(file);
+  return std::any_of(kFormats.begin(), kFormats.end(),
+                     [&](const ExportFormat& format) { return format.extension == extension; });
+}
+
+std::vector<path> write_drawing(const path& file, const Net& net, const PageLayout& layout,
+                                const SheetInfo& info) {
+  const std::string extension = lower_extension(file);
+  if (!is_export_format(file)) {
+    std::string known;
+    for (const ExportFormat& format : kFormats)
+      known += (known.empty() ? "" : ", ") + std::string(format.extension);
+    throw Error(ErrorKind::Usage,
+                file.string() + " names no format that can be written; end it in one of " + known + ".");
+  }
+  const std::string title = info.title.empty() ? net.mesh().name() : info.title;
+  if (extension == ".fold") {
+    FlatNet flat = to_flat_net(spread_pieces(net), layout.scale);
+    flat.title = title;
+    write_fold(file, flat);
+    return {file};
+  }
+  const std::vector<Sheet> sheets = draw_sheets(net, layout, info);
+  if (extension == ".svg")
+    return write_pages(file, sheets, [&](const Sheet& sheet) { return svg_bytes(sheet, title); });
+  if (extension == ".png")
+    return write_pages(file, sheets, [](const Sheet& sheet) { return png_bytes(sheet); });
+  write_file(file, pdf_bytes(sheets, title));
+  return {file};
+}
+
+}  // namespace netwright
