@@ -26,6 +26,15 @@ inline constexpr double kFlatFold = 0.017453292519943295;
 /// cannot be cut out and would make its own frame meaningless.
 inline constexpr double kDegenerateHeight = 1e-9;
 
+/// Corners of faces that came without shared points (STL, glTF) are one corner when they are closer than this share
+/// of the model's diagonal: the float coordinates of such files differ by about 6e-8 of it when programs rounded
+/// a corner twice, and no detail this small can be cut out.
+inline constexpr double kWeldDistance = 1e-7;
+
+/// Two faces cut through each other in space when they do so by more than this share of the larger one's size.
+/// Shallower contact is what six written decimals leave between faces that touch, and far below a sheet's thickness.
+inline constexpr double kCrossingDepth = 1e-5;
+
 /// Sign of the area of the triangle a b c, exact for every finite double: +1 counter-clockwise, -1 clockwise,
 /// 0 collinear. (J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: the filtered
 /// determinant, then an exact expansion.)

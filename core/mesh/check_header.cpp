@@ -98,7 +98,7 @@ void check_ply(const std::string& name, std::string_view bytes) {
   std::uint64_t left = rest.size() + 1;  // the last line may lack its end
   for (const Element& element : elements) {
     const std::uint64_t least = std::max<std::uint64_t>(element.least_bytes, 1);
-    if (element.count > left / least) refuse_promise(name, element.count, "of \"" + element.name + "\"");
+    if (element.count > left / least) refuse_promise(name, element.count, "\"" + element.name + "\" entries");
     left -= element.count * least;
   }
 }

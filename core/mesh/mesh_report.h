@@ -30,6 +30,9 @@ struct MeshReport {
   [[nodiscard]] bool is_fit() const { return is_manifold && n_uneven_faces == 0; }
 };
 
+/// A share as people read it: 0.034 is "3.4 %".
+std::string percent(double share);
+
 /// Facts about a mesh (counts, components, genus, borders) and what is noteworthy: uneven faces, faces that
 /// cut through each other.
 MeshReport report_on(const Mesh& mesh);

@@ -335,7 +335,12 @@ bool keep_picture(tinygltf::Image* image, int, std::string*, std::string*, int, 
   return true;
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+/// What tinygltf said, as the middle of a sentence.
+std::string as_clause(const std::string& said) {
+  std::string clause = said.substr(0, said.find('\n'));
+  while (clause.ends_with('.') || clause.ends_with(' ')) clause.pop_back();
+  return clause.empty() ? "no reason given" : clause;
+}
 
 }  // namespace
 
@@ -354,7 +359,7 @@ PolygonSoup read_gltf(const std::string& name, std::string_view bytes, const Com
                                         reinterpret_cast<const unsigned char*>(bytes.data()), size)
           : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, "");
   if (!is_read) {
-    refuse(name, "this glTF file is incomplete or damaged (" + first_line(error) +
+    refuse(name, "this glTF file is incomplete or damaged (" + as_clause(error) +
                      "); put its companion files beside it or export it again.");
   }
   return SceneReader(name, model).read();

@@ -151,7 +151,7 @@ struct Collector {
     if (written == 0) {
       refuse(name,
              place() +
-                 " has a corner without a valid point number; points count from 1. Export the model again.");
+                 " has a corner without a valid point number; points count from 1, export the model again.");
     }
     if (index < 0 || index >= static_cast<int>(clean.points.size())) {
       refuse(name, place() + " names point " + std::to_string(written) + ", but the file has only " +

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/mesh/readers.h"
 
 namespace netwright::readers {
 namespace {
