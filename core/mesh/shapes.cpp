@@ -217,7 +217,7 @@ PolygonSoup letter_l() {
 }
 
 PolygonSoup star(int n_points) {
-  const std::array<glm::dvec2, 2> tooth{{{1, 0}, {0.45, 0.5}}};
+  const std::array<glm::dvec2, 2> tooth{{{1, 0}, {0.55, 0.5}}};
   return prism(toothed_outline(n_points, tooth), 0.5, "star " + std::to_string(n_points));
 }
 

@@ -1,0 +1,159 @@
+// The whole job: proved nets for every shape, the same answer on any number of threads and at any watching
+// pace, cancelling at any moment.
+#include "core/solve/solve.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/predicates.h"
+#include "tests/support.h"
+
+namespace netwright {
+namespace {
+
+using testing::make_dual;
+using testing::zoo;
+
+SolveResult solve_with(const PolygonSoup& soup, SolveOptions options, const SolveHooks& hooks = {}) {
+  Progress progress;
+  return solve(make_dual(soup), options, progress, hooks);
+}
+
+TEST(Solve, EveryShapeOfTheZooBecomesAProvedNetOfOnePiecePerComponent) {
+  for (const auto& shape : zoo()) {
+    const SolveResult result = solve_with(shape.soup, {});
+    EXPECT_TRUE(result.is_proved) << shape.soup.name << ": "
+                                  << (result.proof.faults.empty() ? "" : result.proof.faults.front());
+    EXPECT_EQ(result.net.n_pieces, shape.n_components) << shape.soup.name;
+    EXPECT_TRUE(result.overlaps.empty()) << shape.soup.name;
+  }
+}
+
+TEST(Solve, SameSeedSameNetOnAnyNumberOfThreads) {
+  SolveOptions options;
+  options.seed = 5;
+  options.streams = 4;
+  options.threads = 1;
+  const SolveResult alone = solve_with(shapes::bumpy_patch(12, 12), options);
+  for (const int threads : {2, 3, 4}) {
+    options.threads = threads;
+    const SolveResult together = solve_with(shapes::bumpy_patch(12, 12), options);
+    EXPECT_EQ(together.net.tree, alone.net.tree);
+    EXPECT_EQ(together.iterations, alone.iterations);
+    EXPECT_EQ(together.stream, alone.stream);
+  }
+}
+
+TEST(Solve, AnotherSeedGivesAnotherNet) {
+  SolveOptions options;
+  const SolveResult first = solve_with(shapes::icosphere(3), options);
+  options.seed = 1;
+  EXPECT_NE(solve_with(shapes::icosphere(3), options).net.tree, first.net.tree);
+}
+
+TEST(Solve, PinnedRootIsWhereTreeAndLayoutStart) {
+  SolveOptions options;
+  options.root = FaceId(41);
+  const SolveResult result = solve_with(shapes::icosphere(2), options);
+  EXPECT_TRUE(result.is_proved);
+  EXPECT_TRUE(result.net.tree.is_root(FaceId(41)));
+  EXPECT_EQ(result.net.placement[FaceId(41)], Rigid2());
+}
+
+TEST(Solve, WatchingMoveByMoveShowsEveryMoveAndChangesNothing) {
+  const SolveResult unwatched = solve_with(shapes::bumpy_patch(10, 10), {});
+  Mailbox<Snapshot> mailbox;
+  std::vector<std::shared_ptr<const Snapshot>> seen;
+  SolveHooks hooks;
+  hooks.snapshots = &mailbox;
+  hooks.pace = [&] {
+    if (auto snapshot = mailbox.take()) seen.push_back(std::move(snapshot));
+    return Pace::Move;
+  };
+  const SolveResult watched = solve_with(shapes::bumpy_patch(10, 10), {}, hooks);
+  EXPECT_EQ(watched.net.tree, unwatched.net.tree);
+  EXPECT_EQ(watched.iterations, unwatched.iterations);
+  ASSERT_FALSE(seen.empty());
+  for (const auto& snapshot : seen) {
+    EXPECT_TRUE(snapshot->net.tree.is_forest(snapshot->net.mesh()));
+    EXPECT_EQ(snapshot->overlaps, find_overlaps(snapshot->net, kSolveDepth));
+    if (snapshot->last_move) {
+      EXPECT_EQ(static_cast<int>(snapshot->overlaps.size()), snapshot->last_move->overlaps_after);
+    }
+  }
+  const auto last = mailbox.take();
+  ASSERT_NE(last, nullptr);
+  EXPECT_TRUE(last->is_final);
+  EXPECT_TRUE(last->overlaps.empty());
+}
+
+TEST(Solve, SnapshotsAtFullPaceAreTrueToo) {
+  Mailbox<Snapshot> mailbox;
+  SolveHooks hooks;
+  hooks.snapshots = &mailbox;
+  int n_seen = 0;
+  hooks.pace = [&] {
+    if (const auto snapshot = mailbox.take()) {
+      ++n_seen;
+      EXPECT_EQ(snapshot->overlaps, find_overlaps(snapshot->net, kSolveDepth));
+      EXPECT_FALSE(snapshot->history.empty());
+      EXPECT_LE(snapshot->history.size(), 2000U);
+    }
+    return Pace::Full;
+  };
+  const PolygonSoup two = shapes::combined(shapes::bumpy_patch(9, 9), shapes::torus(20, 14), {20, 0, 0});
+  EXPECT_TRUE(solve_with(two, {}, hooks).is_proved);
+  EXPECT_GT(n_seen, 0);
+}
+
+TEST(Solve, LogOfTheWinnerReplaysToItsNet) {
+  const SolveResult result = solve_with(shapes::bumpy_patch(10, 10), {});
+  const Mesh& mesh = result.net.mesh();
+  ASSERT_FALSE(result.log.empty());
+  const Episode& last = result.log.back();
+  IdVector<EdgeId, char> folds(mesh.n_edges(), 0);
+  for (const EdgeId e : mesh.edges()) folds[e] = last.start.is_fold(mesh, e) ? 1 : 0;
+  for (const MoveRecord& move : last.moves) {
+    EXPECT_TRUE(folds[mesh.edge(move.removed)]);
+    EXPECT_FALSE(folds[mesh.edge(move.inserted)]);
+    folds[mesh.edge(move.removed)] = 0;
+    folds[mesh.edge(move.inserted)] = 1;
+  }
+  for (const EdgeId e : mesh.edges()) EXPECT_EQ(folds[e] != 0, result.net.tree.is_fold(mesh, e));
+}
+
+TEST(Solve, CancelAtAnyMoveLeavesAValidNet) {
+  SolveOptions one_stream;
+  one_stream.seed = 3;
+  one_stream.streams = 1;
+  for (int stop_at = 0; stop_at < 12; ++stop_at) {
+    Mailbox<Snapshot> mailbox;
+    SolveHooks hooks;
+    hooks.snapshots = &mailbox;
+    int moves = 0;
+    hooks.pace = [&] { return moves++ < stop_at ? Pace::Move : Pace::Stop; };
+    const SolveResult result = solve_with(shapes::bumpy_patch(10, 10), one_stream, hooks);
+    EXPECT_TRUE(result.net.tree.is_forest(result.net.mesh()));
+    EXPECT_EQ(result.overlaps, find_overlaps(result.net, kSolveDepth));
+    EXPECT_EQ(result.is_proved, result.overlaps.empty());
+  }
+}
+
+TEST(Solve, ACancelledJobReturnsAtOnceWithTheStart) {
+  Progress progress;
+  progress.cancel();
+  const SolveResult result = solve(make_dual(shapes::torus(30, 20)), {}, progress);
+  EXPECT_TRUE(result.net.tree.is_forest(result.net.mesh()));
+  EXPECT_EQ(result.was_cancelled, !result.is_proved);
+}
+
+TEST(Solve, StepLimitEndsTheSearchWithTheBestSoFar) {
+  SolveOptions options;
+  options.max_iterations = 3;
+  const SolveResult result = solve_with(shapes::torus(40, 30), options);
+  EXPECT_LE(result.iterations, 3);
+  EXPECT_FALSE(result.was_cancelled);
+  EXPECT_EQ(result.overlaps, find_overlaps(result.net, kSolveDepth));
+}
+
+}  // namespace
+}  // namespace netwright
