@@ -2,6 +2,7 @@
 // legend.
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
 
 #include "core/sheet/draw.h"
@@ -51,7 +52,9 @@ std::string fitted(const Font& font, const std::string& words, double size_mm, d
 TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info) {
   const Mesh& mesh = net.mesh();
   TitleWords words;
-  words.title = clean_utf8(info.title.empty() ? mesh.name() : info.title);
+  // A model is named by its file; what kind of file it was matters to nobody who cuts it out.
+  words.title =
+      clean_utf8(info.title.empty() ? std::filesystem::path(mesh.name()).stem().string() : info.title);
   if (words.title.empty()) words.title = "Model";
   words.figures = "Scale 1 unit = " + short_number(layout.scale) + " mm";
   if (layout.model_height_mm > 1e-6)
@@ -100,9 +103,14 @@ void MarginArtist::draw_header(Sheet& sheet, const PageLayout::Page& page) const
   const std::string title = fitted(semi_bold_, words_.title, kTitleSize, title_right - box.min.x - 5);
   add_text(sheet, {Layer::Print, {box.min.x, title_y}, title, kTitleSize, FontWeight::SemiBold, kInk}, kLeft);
 
-  const double proof_left = right - regular_.width(words_.proof, kSmallSize) - (words_.is_proved ? 4 : 0);
-  draw_proof(sheet, right, small_y);
-  const std::string figures = fitted(regular_, words_.figures, kSmallSize, proof_left - box.min.x - 4);
+  const bool is_narrow = box.max.y - box.min.y > kHeaderHeight;
+  const double proof_width = regular_.width(words_.proof, kSmallSize) + (words_.is_proved ? 4.2 : 0);
+  if (is_narrow)
+    draw_proof(sheet, box.min.x + proof_width, small_y + kNoteHeight);
+  else
+    draw_proof(sheet, right, small_y);
+  const double room = right - box.min.x - (is_narrow ? 0 : proof_width + 4);
+  const std::string figures = fitted(regular_, words_.figures, kSmallSize, room);
   add_text(sheet, {Layer::Print, {box.min.x, small_y}, figures, kSmallSize, FontWeight::Regular, kQuietInk},
            kLeft);
   sheet.strokes.push_back(hairline({box.min.x, box.max.y}, box.max));
@@ -164,7 +172,7 @@ void MarginArtist::draw_footer(Sheet& sheet) const {
     low.words = fitted(regular_, note, low.size_mm, width);
     add_text(sheet, low, kLeft);
     const double height = frame.side.max.y - frame.side.min.y;
-    const double length = height >= kRulerLength + 3 ? kRulerLength : kRulerLength / 2;
+    const double length = height >= kRulerLength + 2 ? kRulerLength : kRulerLength / 2;
     draw_ruler(sheet, {frame.side.min.x, frame.side.min.y + (height + length) / 2}, true, length, regular_);
     return;
   }
@@ -197,9 +205,12 @@ void MarginArtist::draw_legend(Sheet& sheet, bool is_stacked) const {
     const glm::dvec2 at = from + (is_stacked ? glm::dvec2(sample + 1.5, 0.85) : glm::dvec2(0, 3.6));
     add_text(sheet, {Layer::Print, at, kEntries[i].name, 2.4, FontWeight::Regular, kInk}, kLeft);
   }
-  const Text side{Layer::Print, corner + glm::dvec2(0, 3.9), "The printed side is the outside.",
-                  2.3,          FontWeight::Regular,         kQuietInk};
-  if (!is_stacked) add_text(sheet, side, kLeft);
+  Text side{Layer::Print, corner + glm::dvec2(0, 3.9), "The printed side is the outside.",
+            2.3,          FontWeight::Regular,         kQuietInk};
+  if (!is_stacked) return add_text(sheet, side, kLeft);
+  if (word_width(side) > width - 3 * column - 4) return;
+  side.at = corner + glm::dvec2(width, 4.85);
+  add_text(sheet, side, kRight);
 }
 
 void draw_ruler(Sheet& sheet, glm::dvec2 zero, bool is_upright, double length_mm, const Font& font) {

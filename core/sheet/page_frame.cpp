@@ -42,7 +42,9 @@ PageFrame make_frame(const PaperSetup& paper, bool is_landscape) {
   const double footer = is_one_row          ? kFooterHeight
                         : has_upright_ruler ? kLegendHeight + kNoteHeight
                                             : kFooterHeight + kLegendHeight;
-  frame.header = {low, {high.x, low.y + kHeaderHeight}};
+  // On a narrow page the proof gets a line of its own below the figures.
+  const double header = kHeaderHeight + (width < kWideHeader ? kNoteHeight : 0);
+  frame.header = {low, {high.x, low.y + header}};
   frame.footer = {{low.x, high.y - footer}, high};
   frame.net = {{low.x, frame.header.max.y + kStripGap}, {high.x, frame.footer.min.y - kStripGap}};
   if (has_upright_ruler) {

@@ -34,6 +34,7 @@ inline constexpr double kRulerWidth = 0.15;
 
 // Strips around the net.
 inline constexpr double kHeaderHeight = 11;
+inline constexpr double kWideHeader = 120;     ///< from this width on figures and proof share a line
 inline constexpr double kStripGap = 3;         ///< between a strip and the net
 inline constexpr double kFooterHeight = 11;    ///< legend and ruler side by side
 inline constexpr double kLegendHeight = 6.5;   ///< the legend alone, when the ruler goes elsewhere
