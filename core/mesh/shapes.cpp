@@ -110,9 +110,10 @@ void add_cells(PolygonSoup& soup, GridPoints& at, int nx, int nz, const IsOpen& 
   }
 }
 
+/// The shortest text that reads back as the same number; -0 as 0.
 std::string number(double x) {
   std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x + 0.0).ptr;
   return {text.data(), end};
 }
 
