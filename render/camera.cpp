@@ -65,13 +65,13 @@ void OrbitCamera::orbit(glm::dvec2 drag_px) {
   pitch_rad_ = std::clamp(pitch_rad_ + drag_px.y * rad_per_px, -kMostPitch_rad, kMostPitch_rad);
 }
 
-double OrbitCamera::pixel_size_at_target() const {
-  return 2 * distance_ * std::tan(kHalfFieldOfView_rad) / size_px_.y;
+double OrbitCamera::pixels_per_unit() const {
+  return size_px_.y / (2 * distance_ * std::tan(kHalfFieldOfView_rad));
 }
 
 void OrbitCamera::pan(glm::dvec2 drag_px) {
   const glm::dmat3 a = axes();
-  target_ += (a[1] * drag_px.y - a[0] * drag_px.x) * pixel_size_at_target();
+  target_ += (a[1] * drag_px.y - a[0] * drag_px.x) / pixels_per_unit();
 }
 
 void OrbitCamera::zoom(double factor, glm::dvec2 pointer_px) {
@@ -79,7 +79,7 @@ void OrbitCamera::zoom(double factor, glm::dvec2 pointer_px) {
   const double distance = std::clamp(wished, kNearestZoom * scene_radius_, kFarthestZoom * scene_radius_);
   const glm::dvec2 off = pointer_px - size_px_ * 0.5;
   const glm::dmat3 a = axes();
-  const glm::dvec3 held = target_ + (a[0] * off.x - a[1] * off.y) * pixel_size_at_target();
+  const glm::dvec3 held = target_ + (a[0] * off.x - a[1] * off.y) / pixels_per_unit();
   target_ = held + (target_ - held) * (distance / distance_);
   distance_ = distance;
 }

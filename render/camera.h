@@ -39,6 +39,8 @@ class OrbitCamera {
   [[nodiscard]] glm::dvec3 eye() const;
   [[nodiscard]] const glm::dvec3& target() const { return target_; }
   [[nodiscard]] double distance() const { return distance_; }
+  /// Scale at the distance of the target.
+  [[nodiscard]] double pixels_per_unit() const;
   [[nodiscard]] glm::dmat4 view() const;
   [[nodiscard]] glm::dmat4 projection() const;
   [[nodiscard]] glm::dmat4 view_projection() const { return projection() * view(); }
@@ -57,7 +59,6 @@ class OrbitCamera {
 
  private:
   [[nodiscard]] glm::dmat3 axes() const;  ///< right, up, backward
-  [[nodiscard]] double pixel_size_at_target() const;
 
   glm::dvec2 size_px_{1, 1};
   UpAxis up_axis_ = UpAxis::Y;

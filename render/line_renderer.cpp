@@ -41,6 +41,12 @@ LineView look_through(const PanZoomCamera& camera, float scale) {
   return {glm::mat4(camera.view_projection()), glm::vec2(camera.size_px()), scale, false, 0};
 }
 
+float thinning(double mean_edge_px, float scale) {
+  constexpr double kRoomyEdge_px = 18;
+  return static_cast<float>(
+      std::clamp(mean_edge_px / (kRoomyEdge_px * static_cast<double>(scale)), 0.45, 1.0));
+}
+
 LineRenderer::LineRenderer() : shader_("line") {}
 
 void LineRenderer::draw(const LineBatch& batch, std::span<const LineStyle> styles,

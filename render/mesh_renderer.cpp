@@ -185,7 +185,8 @@ void MeshRenderer::draw_lines(const OrbitCamera& camera, const Palette& palette,
   const LineView view = look_through(camera, look.scale);
   Colour border = palette.model_edge;
   border.a = 1;
-  const std::array<LineStyle, 2> edge_styles{LineStyle{palette.model_edge, 1.0F, {}, false},
+  const float thin = thinning(dual_->mesh().mean_edge() * camera.pixels_per_unit(), look.scale);
+  const std::array<LineStyle, 2> edge_styles{LineStyle{palette.model_edge, thin, {}, false},
                                              LineStyle{border, 1.4F, {}, false}};
   if (look.shows_edges) lines_.draw(edges_, edge_styles, view);
   const std::array<LineStyle, 1> selected{LineStyle{palette.selection, 3, {}, false}};

@@ -71,6 +71,7 @@ void NetRenderer::set_net(const Net& net, const IdVector<EdgeId, EdgeKind>& kind
   upload_faces(net, version);
   upload_lines(net, kinds, version);
   are_outlines_stale_ = true;
+  mean_edge_ = net.mesh().mean_edge();
 }
 
 void NetRenderer::clear() {
@@ -213,10 +214,11 @@ void NetRenderer::draw_faces(const PanZoomCamera& camera, const Palette& palette
 
 void NetRenderer::draw_lines(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const {
   const LineView view = look_through(camera, look.scale);
+  const float thin = thinning(mean_edge_ * camera.pixels_per_unit(), look.scale);
   std::array<LineStyle, 4> styles;
-  styles[kCutLine] = {palette.cut, 1.3F, {}, false};
-  styles[kMountainLine] = {palette.mountain, 1.1F, {6, 2.5F, 1.2F, 2.5F}, false};
-  styles[kValleyLine] = {palette.valley, 1.1F, {4, 3, 0, 0}, false};
+  styles[kCutLine] = {palette.cut, 1.3F * thin, {}, false};
+  styles[kMountainLine] = {palette.mountain, 1.1F * thin, {6, 2.5F, 1.2F, 2.5F}, false};
+  styles[kValleyLine] = {palette.valley, 1.1F * thin, {4, 3, 0, 0}, false};
   styles[kFlatLine] = {palette.flat, 1, {}, false};
   if (look.shows_folds) lines_.draw(folds_, styles, view);
   if (look.shows_cuts) lines_.draw(cuts_, styles, view);

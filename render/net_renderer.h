@@ -54,6 +54,7 @@ class NetRenderer {
   VertexArray face_array_;
   int n_face_vertices_ = 0;
   std::vector<Box2> sheets_;
+  double mean_edge_ = 0;  ///< of the model, in world units
   Texture state_table_;
   FaceStates states_;
   std::vector<glm::vec2> corners_;  ///< of all faces, for outlines of selected ones

@@ -26,7 +26,7 @@ Palette light() {
   p.background_bottom = rgb(0xD3D8E0);
   p.model = rgb(0xF6F4F0);
   p.model_back = rgb(0xC3CBDD);
-  p.model_edge = rgb(0x20242C, 0.42F);
+  p.model_edge = rgb(0x6C717B);
   p.desk = rgb(0xC5CAD1);
   p.sheet = rgb(0xF7F8FA);
   p.sheet_border = rgb(0x9AA1AC);
@@ -48,7 +48,7 @@ Palette dark() {
   p.background_bottom = rgb(0x1D1F23);
   p.model = rgb(0xDADCE0);
   p.model_back = rgb(0x8790A6);
-  p.model_edge = rgb(0x0C0E12, 0.55F);
+  p.model_edge = rgb(0x3F434B);
   p.desk = rgb(0x2A2D32);
   p.sheet = rgb(0x4A4E56);
   p.sheet_border = rgb(0x7B828E);

@@ -110,6 +110,7 @@ void TreeRenderer::set_tree(const Net& net, std::span<const FaceId> climbed,
         add_hinge(net, h, kClimbedLine, strokes);
   }
   for (const EdgeId e : candidates) add_candidate(net, e, strokes);
+  mean_edge_ = mesh.mean_edge();
   in_space_.upload(strokes.space, version);
   in_plane_.upload(strokes.plane, version);
   roots_in_space_.upload(roots.space, version);
@@ -149,15 +150,17 @@ std::array<LineStyle, 2> root_styles(const Palette& palette) {
 
 void TreeRenderer::draw_on_model(const OrbitCamera& camera, const Palette& palette,
                                  const TreeLook& look) const {
-  lines_.draw(in_space_, tree_styles(palette, look, 2.0F), look_through(camera, look.scale, 4));
+  const float width = 2.0F * thinning(mean_edge_ * camera.pixels_per_unit(), look.scale);
+  lines_.draw(in_space_, tree_styles(palette, look, width), look_through(camera, look.scale, 2.5));
   if (look.shows_roots)
-    lines_.draw(roots_in_space_, root_styles(palette), look_through(camera, look.scale, 14));
+    lines_.draw(roots_in_space_, root_styles(palette), look_through(camera, look.scale, 10));
 }
 
 void TreeRenderer::draw_on_net(const PanZoomCamera& camera, const Palette& palette,
                                const TreeLook& look) const {
   const LineView view = look_through(camera, look.scale);
-  lines_.draw(in_plane_, tree_styles(palette, look, 1.5F), view);
+  const float width = 1.5F * thinning(mean_edge_ * camera.pixels_per_unit(), look.scale);
+  lines_.draw(in_plane_, tree_styles(palette, look, width), view);
   if (look.shows_roots) lines_.draw(roots_in_plane_, root_styles(palette), view);
 }
 

@@ -37,6 +37,7 @@ class TreeRenderer {
   LineBatch in_plane_;
   LineBatch roots_in_space_;  ///< apart, because discs stand out farther than lines
   LineBatch roots_in_plane_;
+  double mean_edge_ = 0;
 };
 
 /// A point well inside a face, in space and in the plane: where the tree's lines meet. The corners' mean, or
