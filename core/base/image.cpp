@@ -1,8 +1,9 @@
 // Decodes pictures with stb_image, after looking at their size so that a lying header cannot ask for
-// gigabytes.
+// gigabytes; encodes them with stb_image_write.
 #include "core/base/image.h"
 
 #include <stb_image.h>
+#include <stb_image_write.h>
 
 #include <cstddef>
 #include <limits>
@@ -27,6 +28,17 @@ Image decode_image(std::string_view bytes) {
   image.rgba.assign(pixels.get(), pixels.get() + std::size_t{4} * static_cast<std::size_t>(width) *
                                                      static_cast<std::size_t>(height));
   return image;
+}
+
+std::string encode_png(const Image& image) {
+  std::string bytes;
+  if (image.is_empty()) return bytes;
+  const auto append = [](void* context, void* data, int size) {
+    static_cast<std::string*>(context)->append(static_cast<const char*>(data),
+                                               static_cast<std::size_t>(size));
+  };
+  stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(), image.width * 4);
+  return bytes;
 }
 
 }  // namespace netwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,5 +18,8 @@ struct Image {
 /// Decodes a PNG, JPEG, BMP, TGA or GIF file's bytes; an empty image when they are none of these, are
 /// damaged, or hold more than 64 million pixels.
 Image decode_image(std::string_view bytes);
+
+/// The picture as the bytes of a PNG file; empty when the picture is.
+std::string encode_png(const Image& image);
 
 }  // namespace netwright

@@ -1,0 +1,137 @@
+// The loop and what connects window, session and interface. A frame costs little, but not nothing: at rest
+// none is drawn.
+#include "app/application.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "core/mesh/read.h"
+#include "ui/actions.h"
+#include "ui/status.h"
+
+namespace netwright {
+namespace {
+
+/// Dear ImGui settles over a few frames after each event: popups measure themselves, hovering takes effect.
+constexpr int kFramesAfterEvent = 3;
+constexpr double kFrame_s = 1.0 / 60;
+constexpr double kLongestWait_s = 1;
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+std::string window_title(const Session& session) {
+  if (!session.has_model()) return "Netwright";
+  return session.project().dual->mesh().name() + " – " + status_of(session).in_short + " – Netwright";
+}
+
+Application::Application(Window& window, Session::Clock clock, std::filesystem::path settings_file)
+    : window_(window), clock_(std::move(clock)), settings_file_(std::move(settings_file)), session_(clock_) {
+  if (!settings_file_.empty()) ui_.settings = load_settings(settings_file_);
+  saved_settings_ = ui_.settings;
+  ui_.is_desktop_dark = desktop_prefers_dark();
+  session_.set_wake([this] { window_.wake(); });
+  window_.set_title(window_title(session_));
+}
+
+Application::~Application() {
+  session_.set_wake({});
+  if (!settings_file_.empty() && !(ui_.settings == saved_settings_))
+    save_settings(ui_.settings, settings_file_);
+}
+
+double Application::wait_seconds() const {
+  if (needs_draw_ || ui_.frames_wanted > 0) return 0;
+  double wait = std::min(kLongestWait_s, session_.wait_seconds());
+  for (const Toast& toast : ui_.toasts) wait = std::min(wait, std::max(toast.until - ui_.now, kFrame_s));
+  return wait;
+}
+
+void Application::open_dropped(const std::vector<std::filesystem::path>& paths) {
+  if (paths.empty()) return;
+  const auto model = std::find_if(paths.begin(), paths.end(), is_model_path);
+  session_.open(model == paths.end() ? paths.front() : *model);
+}
+
+void Application::handle(const WindowEvent& event) {
+  ui_.frames_wanted = std::max(ui_.frames_wanted, kFramesAfterEvent);
+  switch (event.kind) {
+    case WindowEvent::Kind::Key:
+      if (!event.is_repeat) workspace_.key(session_, ui_, event.key, event.modifiers);
+      break;
+    case WindowEvent::Kind::Text:
+      workspace_.character(session_, ui_, event.code_point);
+      break;
+    case WindowEvent::Kind::Drop:
+      open_dropped(event.paths);
+      break;
+    case WindowEvent::Kind::Close:
+      ui_.wants_quit = true;
+      break;
+    case WindowEvent::Kind::MouseButton:
+    case WindowEvent::Kind::Scroll:
+    case WindowEvent::Kind::Resize:
+      break;
+  }
+}
+
+void Application::update_title() {
+  std::string title = window_title(session_);
+  if (title == title_) return;
+  title_ = std::move(title);
+  window_.set_title(title_);
+}
+
+void Application::remember_model() {
+  const auto& path = session_.project().path;
+  if (path == known_model_) return;
+  known_model_ = path;
+  if (!path.empty()) remember(ui_.settings, path);
+}
+
+void Application::draw() {
+  ui_.now = clock_();
+  needs_draw_ = false;
+  if (ui_.frames_wanted > 0) --ui_.frames_wanted;
+  if (workspace_.update_look(ui_, window_.content_scale())) window_.refresh_fonts();
+  window_.begin_frame();
+  ImGui::NewFrame();
+  workspace_.draw(session_, ui_);
+  ImGui::Render();
+  window_.present();
+  update_title();
+  remember_model();
+}
+
+void Application::turn(double longest_wait_s) {
+  const double wait = std::min(wait_seconds(), longest_wait_s);
+  const double before = steady_seconds();
+  window_.wait_events(wait);
+  // Mouse moves are not in the queue; coming back early tells of them.
+  const bool is_woken = steady_seconds() - before < wait * 0.95;
+  if (is_woken) ui_.frames_wanted = std::max(ui_.frames_wanted, 1);
+  for (const WindowEvent& event : window_.take_events()) handle(event);
+  const bool has_changed = session_.poll();
+  const bool has_old_toast = std::any_of(ui_.toasts.begin(), ui_.toasts.end(),
+                                         [this](const Toast& toast) { return toast.until <= clock_(); });
+  if (has_changed || needs_draw_ || has_old_toast || ui_.frames_wanted > 0) draw();
+}
+
+void Application::run() {
+  double last_frame = steady_seconds();
+  while (!is_over()) {
+    turn(kLongestWait_s);
+    // Snapshots come faster than any screen shows them; the processor is the solver's.
+    const double left = kFrame_s - (steady_seconds() - last_frame);
+    if (left > 0) window_.wait_events(left);
+    last_frame = steady_seconds();
+  }
+}
+
+}  // namespace netwright

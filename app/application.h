@@ -1,0 +1,56 @@
+// The editor as a loop: wait, take events, poll the session, draw when something changed. Knows the window
+// only as an interface, so that tests and screenshots run the same loop without a screen.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/window.h"
+#include "core/project/session.h"
+#include "ui/workspace.h"
+
+namespace netwright {
+
+class Application {
+ public:
+  /// `settings_file` may be empty: then nothing is remembered. The window must outlive the application.
+  Application(Window& window, Session::Clock clock, std::filesystem::path settings_file);
+  ~Application();
+  Application(const Application&) = delete;
+  Application& operator=(const Application&) = delete;
+
+  /// Until the user quits.
+  void run();
+  /// One turn of the loop; waits for events at most this long, and draws when something changed.
+  void turn(double longest_wait_s);
+  /// Draws a frame whether or not anything changed.
+  void draw();
+  [[nodiscard]] bool is_over() const { return ui_.wants_quit; }
+
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] UiState& ui() { return ui_; }
+  [[nodiscard]] const Workspace& workspace() const { return workspace_; }
+
+ private:
+  [[nodiscard]] double wait_seconds() const;
+  void handle(const WindowEvent& event);
+  void open_dropped(const std::vector<std::filesystem::path>& paths);
+  void update_title();
+  void remember_model();
+
+  Window& window_;
+  Session::Clock clock_;
+  std::filesystem::path settings_file_;
+  Settings saved_settings_;
+  Session session_;
+  UiState ui_;
+  Workspace workspace_;
+  std::string title_;
+  std::filesystem::path known_model_;
+  bool needs_draw_ = true;
+};
+
+/// What the window is called: the model, and how its search stands.
+std::string window_title(const Session& session);
+
+}  // namespace netwright

@@ -1,0 +1,266 @@
+// The table of actions, their conditions and effects. Reasons are whole sentences, because tooltips show
+// them.
+#include "ui/actions.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "assets/icons.h"
+
+namespace netwright {
+namespace {
+
+constexpr int kShiftBit = 1;
+constexpr int kControlBit = 2;
+constexpr int kSpaceKey = 32;
+constexpr int kEscapeKey = 256;
+constexpr int kHomeKey = 268;
+constexpr int kF1Key = 290;
+constexpr double kToastSeconds = 5;
+
+bool is_busy(const UiContext& c) {
+  const RunState state = c.session.state();
+  return state == RunState::Running || state == RunState::Paused || state == RunState::Replaying;
+}
+
+std::string always(const UiContext& /*c*/) { return {}; }
+
+std::string needs_model(const UiContext& c) { return c.session.has_model() ? "" : "Open a model first."; }
+
+std::string needs_sheets(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  if (is_busy(c)) return "The search is still running.";
+  const auto shown = c.session.shown();
+  if (shown == nullptr || !shown->is_proved) return "Unfold the model into one piece first (Space).";
+  return c.session.sheets() == nullptr ? "The pages are still being laid out." : "";
+}
+
+std::string needs_undo(const UiContext& c) { return c.session.can_undo() ? "" : "There is nothing to undo."; }
+std::string needs_redo(const UiContext& c) { return c.session.can_redo() ? "" : "There is nothing to redo."; }
+
+std::string needs_no_replay(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  return c.session.state() == RunState::Replaying ? "Wait for the end of the replay, or skip it (Esc)." : "";
+}
+
+std::string needs_run(const UiContext& c) { return is_busy(c) ? "" : "Nothing is running."; }
+
+std::string needs_replay(const UiContext& c) {
+  return c.session.state() == RunState::Replaying ? "" : "No replay is running.";
+}
+
+FaceId chosen_face(const UiContext& c) { return c.ui.hovered.is_valid() ? c.ui.hovered : c.ui.selected; }
+
+std::string needs_face(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  return chosen_face(c).is_valid() ? "" : "Click a face first, or point at one and press the key.";
+}
+
+std::string needs_selection(const UiContext& c) {
+  return c.ui.selected.is_valid() ? "" : "No face is selected.";
+}
+
+void ask_export(UiContext& c, const char* extension) {
+  c.ui.export_extension = extension;
+  c.ui.dialog = Dialog::Export;
+}
+
+void unfold_or_pause(UiContext& c) {
+  switch (c.session.state()) {
+    case RunState::Running:
+      c.session.pause();
+      break;
+    case RunState::Replaying:
+      c.session.skip_replay();
+      break;
+    default:
+      c.session.unfold();
+      break;
+  }
+}
+
+std::string unfold_label(const UiContext& c) {
+  switch (c.session.state()) {
+    case RunState::Running:
+      return "Pause";
+    case RunState::Paused:
+      return "Resume";
+    case RunState::Replaying:
+      return "Skip";
+    default:
+      return "Unfold";
+  }
+}
+
+void stop_or_skip(UiContext& c) {
+  if (c.session.state() == RunState::Replaying) {
+    c.session.skip_replay();
+  } else {
+    c.session.stop();
+  }
+}
+
+void pin_root(UiContext& c) {
+  const FaceId face = chosen_face(c);
+  c.session.pin_root(face == c.session.project().pinned_root ? FaceId() : face);
+}
+
+std::string root_label(const UiContext& c) {
+  const FaceId face = chosen_face(c);
+  return face.is_valid() && face == c.session.project().pinned_root ? "Unpin root" : "Pin root";
+}
+
+std::string undo_label(const UiContext& c) { return c.session.undo_label(); }
+std::string redo_label(const UiContext& c) { return c.session.redo_label(); }
+
+void frame_all(UiContext& c) { c.ui.wants_frame_model = c.ui.wants_frame_net = true; }
+
+void show_report(UiContext& c) {
+  c.ui.settings.is_side_open = true;
+  c.ui.is_open[static_cast<int>(Section::Model)] = true;
+}
+
+template <bool Settings::*Flag>
+void toggle(UiContext& c) {
+  c.ui.settings.*Flag = !(c.ui.settings.*Flag);
+}
+template <bool Settings::*Flag>
+bool is_set(const UiContext& c) {
+  return c.ui.settings.*Flag;
+}
+
+// clang-format off
+const auto kActions = std::to_array<Action>({
+    {ActionId::Open, "Open…", icon::kOpen, {'O', kControlBit}, "Opens a model file", always,
+     [](UiContext& c) { c.ui.dialog = Dialog::Open; }, nullptr, nullptr},
+    {ActionId::ExportPdf, "Export PDF…", icon::kPrint, {'P', kControlBit}, "Writes the pages for the printer",
+     needs_sheets, [](UiContext& c) { ask_export(c, "pdf"); }, nullptr, nullptr},
+    {ActionId::ExportSvg, "SVG drawing…", icon::kExportDrawing, {}, "Writes a drawing with named layers",
+     needs_sheets, [](UiContext& c) { ask_export(c, "svg"); }, nullptr, nullptr},
+    {ActionId::ExportPng, "PNG picture…", icon::kExportImage, {}, "Writes the pages as pictures",
+     needs_sheets, [](UiContext& c) { ask_export(c, "png"); }, nullptr, nullptr},
+    {ActionId::ExportFold, "FOLD file…", icon::kExport, {}, "Writes the net for origami programs",
+     needs_sheets, [](UiContext& c) { ask_export(c, "fold"); }, nullptr, nullptr},
+    {ActionId::Quit, "Quit", "", {'Q', kControlBit}, "Closes Netwright", always,
+     [](UiContext& c) { c.ui.wants_quit = true; }, nullptr, nullptr},
+    {ActionId::Undo, "Undo", icon::kUndo, {'Z', kControlBit}, "Takes the last change back", needs_undo,
+     [](UiContext& c) { c.session.undo(); }, nullptr, undo_label},
+    {ActionId::Redo, "Redo", icon::kRedo, {'Y', kControlBit}, "Makes the change again", needs_redo,
+     [](UiContext& c) { c.session.redo(); }, nullptr, redo_label},
+    {ActionId::ShowReport, "Show report", icon::kInfo, {}, "Says what is known about the model", needs_model,
+     show_report, nullptr, nullptr},
+    {ActionId::CentreFace, "Centre the face", icon::kFrame, {'C', 0}, "Brings the face to the middle of both views",
+     needs_face, [](UiContext& c) { c.ui.wants_centre = chosen_face(c); }, nullptr, nullptr},
+    {ActionId::ClearSelection, "Clear selection", "", {}, "Selects nothing", needs_selection,
+     [](UiContext& c) { c.ui.selected = FaceId(); }, nullptr, nullptr},
+    {ActionId::Unfold, "Unfold", icon::kPlay, {kSpaceKey, 0}, "Searches for a net in one piece", needs_model,
+     unfold_or_pause, nullptr, unfold_label},
+    {ActionId::Step, "Step", icon::kStep, {'S', 0}, "Makes one move and shows it", needs_no_replay,
+     [](UiContext& c) { c.session.step(); }, nullptr, nullptr},
+    {ActionId::Stop, "Stop", icon::kStop, {kEscapeKey, 0}, "Ends the search and keeps the best net", needs_run,
+     stop_or_skip, nullptr, nullptr},
+    {ActionId::NewSeed, "New seed", icon::kSeed, {'N', 0}, "Searches again with the next seed", needs_model,
+     [](UiContext& c) { c.session.new_seed(); }, nullptr, nullptr},
+    {ActionId::PinRoot, "Pin root", icon::kRoot, {'R', 0}, "Layout and tree start at this face", needs_face,
+     pin_root, nullptr, root_label},
+    {ActionId::SkipReplay, "Skip the replay", icon::kSkip, {}, "Shows the finished net at once", needs_replay,
+     [](UiContext& c) { c.session.skip_replay(); }, nullptr, nullptr},
+    {ActionId::Frame, "Frame all", icon::kFullscreen, {'F', 0}, "Fits model and net into their views", needs_model,
+     frame_all, nullptr, nullptr},
+    {ActionId::Home, "Home view", icon::kHome, {kHomeKey, 0}, "Looks at the model as at first", needs_model,
+     [](UiContext& c) { c.ui.wants_home = true; frame_all(c); }, nullptr, nullptr},
+    {ActionId::ToggleTree, "Unfold tree", icon::kTree, {'T', 0}, "Shows the tree of folds", always,
+     toggle<&Settings::show_tree>, is_set<&Settings::show_tree>, nullptr},
+    {ActionId::ToggleOverlaps, "Overlaps", icon::kWarning, {'O', 0}, "Marks the faces that overlap", always,
+     toggle<&Settings::show_overlaps>, is_set<&Settings::show_overlaps>, nullptr},
+    {ActionId::ToggleRoot, "Root", icon::kRoot, {}, "Marks the face where the tree starts", always,
+     toggle<&Settings::show_root>, is_set<&Settings::show_root>, nullptr},
+    {ActionId::TogglePages, "Pages", icon::kLayers, {'P', 0}, "Lays the finished net on its paper", always,
+     toggle<&Settings::show_pages>, is_set<&Settings::show_pages>, nullptr},
+    {ActionId::ToggleSide, "Side panel", icon::kMenu, {kF1Key + 8, 0}, "Shows or hides the panels at the left",
+     always, toggle<&Settings::is_side_open>, is_set<&Settings::is_side_open>, nullptr},
+    {ActionId::Keys, "Keys", icon::kKeyboard, {kF1Key, 0}, "Lists keys and mouse gestures", always,
+     [](UiContext& c) { c.ui.dialog = Dialog::Keys; }, nullptr, nullptr},
+    {ActionId::About, "About Netwright", icon::kInfo, {}, "Says what this program is", always,
+     [](UiContext& c) { c.ui.dialog = Dialog::About; }, nullptr, nullptr},
+});
+// clang-format on
+
+/// Other keys for the same thing.
+constexpr Shortcut canonical(Shortcut pressed) {
+  if (pressed == Shortcut{'Z', kControlBit | kShiftBit}) return {'Y', kControlBit};
+  return pressed;
+}
+
+}  // namespace
+
+std::string shortcut_text(const Shortcut& shortcut) {
+  if (shortcut.key == 0) return {};
+  std::string text;
+  if ((shortcut.modifiers & kControlBit) != 0) text += "Ctrl+";
+  if ((shortcut.modifiers & kShiftBit) != 0) text += "Shift+";
+  if (shortcut.key == kSpaceKey) return text + "Space";
+  if (shortcut.key == kEscapeKey) return text + "Esc";
+  if (shortcut.key == kHomeKey) return text + "Home";
+  if (shortcut.key == kF1Key) return text + "?";
+  if (shortcut.key > kF1Key && shortcut.key <= kF1Key + 11)
+    return text + "F" + std::to_string(shortcut.key - kF1Key + 1);
+  return text + static_cast<char>(shortcut.key);
+}
+
+std::span<const Action> actions() { return kActions; }
+
+const Action& action(ActionId id) {
+  const auto it = std::find_if(kActions.begin(), kActions.end(), [&](const Action& a) { return a.id == id; });
+  if (it == kActions.end()) throw std::logic_error("an action without a line in the table");
+  return *it;
+}
+
+bool is_possible(const UiContext& context, ActionId id) { return action(id).why_not(context).empty(); }
+
+std::string label_of(const UiContext& context, const Action& action) {
+  return action.label != nullptr ? action.label(context) : std::string(action.name);
+}
+
+std::string tip_of(const UiContext& context, const Action& action) {
+  const std::string reason = action.why_not(context);
+  std::string tip(action.what);
+  const std::string keys = shortcut_text(action.shortcut);
+  if (!keys.empty()) tip += "  (" + keys + ")";
+  return reason.empty() ? tip : tip + "\n" + reason;
+}
+
+void run_action(UiContext& context, ActionId id) {
+  const Action& wanted = action(id);
+  const std::string reason = wanted.why_not(context);
+  if (reason.empty()) {
+    wanted.run(context);
+  } else {
+    add_toast(context.ui, reason, false);
+  }
+}
+
+bool run_shortcut(UiContext& context, const Shortcut& pressed) {
+  const Shortcut wanted = canonical(pressed);
+  for (const Action& candidate : kActions) {
+    if (candidate.shortcut.key == 0 || candidate.shortcut != wanted) continue;
+    // Esc is also how people get out of things; pressing it once too often is no mistake to be told about.
+    const bool is_idle_escape = candidate.id == ActionId::Stop && !is_possible(context, ActionId::Stop);
+    if (is_idle_escape) {
+      context.ui.selected = FaceId();
+    } else {
+      run_action(context, candidate.id);
+    }
+    return true;
+  }
+  return false;
+}
+
+void add_toast(UiState& ui, const std::string& text, bool is_good) {
+  std::erase_if(ui.toasts, [&](const Toast& toast) { return toast.text == text; });
+  ui.toasts.push_back({text, is_good, ui.now + kToastSeconds});
+  if (ui.toasts.size() > 3) ui.toasts.pop_front();
+}
+
+}  // namespace netwright

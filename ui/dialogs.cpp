@@ -1,0 +1,240 @@
+// Each dialog is a modal window in the middle; Esc and Cancel leave it without doing anything.
+#include "ui/dialogs.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "core/mesh/read.h"
+#include "core/sheet/write.h"
+#include "ui/actions.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+constexpr std::array<const char*, 5> kTitles{"", "Open a model", "Export the net", "Keys and mouse",
+                                             "About Netwright"};
+
+std::vector<std::string> readable_extensions() {
+  std::vector<std::string> all;
+  for (const ModelFormat& format : model_formats()) {
+    for (const std::string_view extension : format.extensions) all.emplace_back(extension);
+  }
+  return all;
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+void key_line(const UiState& ui, const std::string& keys, const std::string& what) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushFont(ui.look.fonts.bold);
+  ImGui::TextUnformatted(keys.c_str());
+  ImGui::PopFont();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(what.c_str());
+}
+
+}  // namespace
+
+std::string file_stem(const Session& session) {
+  if (!session.has_model()) return "net";
+  const std::string stem = std::filesystem::path(session.project().dual->mesh().name()).stem().string();
+  return stem.empty() ? "net" : stem;
+}
+
+void Dialogs::begin(UiContext& context) {
+  UiState& ui = context.ui;
+  present_ = ui.dialog;
+  const auto& recent = ui.settings.recent;
+  const auto model_folder = recent.empty() ? home_folder() : recent.front().parent_path();
+  if (present_ == Dialog::Open) {
+    browser_.begin({FileBrowser::Mode::Open, model_folder, "", readable_extensions()});
+  } else if (present_ == Dialog::Export) {
+    const auto& path = context.session.project().path;
+    const auto folder =
+        !export_folder_.empty() ? export_folder_ : (path.empty() ? home_folder() : path.parent_path());
+    browser_.begin({FileBrowser::Mode::Save,
+                    folder,
+                    file_stem(context.session) + "." + ui.export_extension,
+                    {ui.export_extension}});
+  }
+  ImGui::OpenPopup(kTitles[static_cast<std::size_t>(present_)]);
+}
+
+void Dialogs::finish(UiContext& context) {
+  context.ui.dialog = present_ = Dialog::None;
+  context.ui.frames_wanted = std::max(context.ui.frames_wanted, 3);
+  ImGui::CloseCurrentPopup();
+}
+
+bool Dialogs::begin_window(const UiState& ui, float width, float height) const {
+  const ImVec2 room = ImGui::GetIO().DisplaySize;
+  const ImVec2 size(std::min(ui.look.px(width), room.x - ui.look.px(32)),
+                    std::min(ui.look.px(height), room.y - ui.look.px(32)));
+  ImGui::SetNextWindowSize(size);
+  ImGui::SetNextWindowPos(ImVec2(room.x / 2, room.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.look.px(20), ui.look.px(16)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.look.px(6));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  const char* title = kTitles[static_cast<std::size_t>(present_)];
+  constexpr auto kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  const bool is_open = ImGui::BeginPopupModal(title, nullptr, kFlags);
+  ImGui::PopStyleVar(3);
+  if (!is_open) return false;
+  ImGui::PushFont(ui.look.fonts.title);
+  ImGui::TextUnformatted(title);
+  ImGui::PopFont();
+  ImGui::Dummy(ImVec2(0, ui.look.px(2)));
+  return true;
+}
+
+bool Dialogs::footer(UiContext& context, const Footer& what) {
+  UiState& ui = context.ui;
+  ButtonSpec main{"dialog/accept", what.label};
+  main.kind = ButtonKind::Accent;
+  main.is_enabled = what.is_enabled;
+  if (!what.is_enabled) main.tip = "Choose a file first.";
+  main.width = std::max(button_width(ui, main), ui.look.px(96));
+  ButtonSpec cancel{"dialog/cancel", "Cancel"};
+  cancel.kind = ButtonKind::Outlined;
+  cancel.width = ui.look.px(96);
+  const float bottom = ImGui::GetWindowHeight() - ui.look.px(16) - ui.look.px(32);
+  ImGui::SetCursorPosY(bottom);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(what.notice.c_str());
+  const float right = ImGui::GetWindowWidth() - ui.look.px(20) - main.width;
+  bool is_cancelled = std::exchange(is_cancelled_, false);
+  if (what.has_cancel) {
+    ImGui::SetCursorPos(ImVec2(right - ui.look.px(8) - cancel.width, bottom));
+    is_cancelled = button(ui, cancel) || is_cancelled;
+  }
+  ImGui::SetCursorPos(ImVec2(right, bottom));
+  bool is_accepted = std::exchange(is_accepted_, false) && what.is_enabled;
+  is_accepted = button(ui, main) || is_accepted;
+  if (is_cancelled) finish(context);
+  return is_accepted && !is_cancelled;
+}
+
+void Dialogs::draw_open(UiContext& context) {
+  UiState& ui = context.ui;
+  if (!begin_window(ui, 720, 520)) return;
+  const float height = ImGui::GetContentRegionAvail().y - ui.look.px(44);
+  auto chosen = browser_.draw(ui, height);
+  if (footer(context, {"Open", browser_.can_accept()}) && !chosen) chosen = browser_.accept();
+  if (chosen) {
+    context.session.open(*chosen);
+    finish(context);
+  }
+  ImGui::EndPopup();
+}
+
+void Dialogs::choose_format(UiState& ui) {
+  int chosen = 0;
+  std::vector<std::string> labels;
+  for (const ExportFormat& format : export_formats()) {
+    const std::string extension(format.extension.substr(1));
+    if (extension == ui.export_extension) chosen = static_cast<int>(labels.size());
+    labels.push_back(upper(extension));
+  }
+  const bool is_changed = segments(ui, "export/format", ui.look.px(320), labels, chosen);
+  const ExportFormat& format = export_formats()[static_cast<std::size_t>(chosen)];
+  ImGui::SameLine(0, ui.look.px(16));
+  ImGui::AlignTextToFramePadding();
+  text_muted(ui, std::string(format.description));
+  if (!is_changed) return;
+  ui.export_extension = format.extension.substr(1);
+  browser_.set_extension(ui.export_extension);
+}
+
+void Dialogs::draw_export(UiContext& context) {
+  UiState& ui = context.ui;
+  if (!begin_window(ui, 720, 560)) return;
+  choose_format(ui);
+  const float height = ImGui::GetContentRegionAvail().y - ui.look.px(44);
+  auto chosen = browser_.draw(ui, height);
+  const bool is_overwriting = browser_.is_asking_to_overwrite();
+  const std::string notice = is_overwriting ? "This file exists. Replace it?" : "";
+  if (footer(context, {is_overwriting ? "Replace" : "Export", browser_.can_accept(), true, notice}) &&
+      !chosen) {
+    chosen = browser_.accept();
+  }
+  if (chosen) {
+    export_folder_ = browser_.folder();
+    context.session.export_to(*chosen);
+    finish(context);
+  }
+  ImGui::EndPopup();
+}
+
+void Dialogs::draw_keys(UiContext& context) {
+  UiState& ui = context.ui;
+  if (!begin_window(ui, 640, 620)) return;
+  ImGui::BeginChild("keys", ImVec2(0, ImGui::GetContentRegionAvail().y - ui.look.px(44)));
+  if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+    for (const Action& entry : actions()) {
+      const std::string keys = shortcut_text(entry.shortcut);
+      if (!keys.empty()) key_line(ui, keys + "    ", std::string(entry.what));
+    }
+    ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.look.px(12));
+    key_line(ui, "Left drag", "Turns the model; moves the net from an empty place");
+    key_line(ui, "Right or middle drag    ", "Moves the model or the net");
+    key_line(ui, "Wheel", "Zooms at the pointer");
+    key_line(ui, "Click", "Selects a face; the same face lights up in the other view");
+    key_line(ui, "Double-click", "Brings a face to the middle of both views");
+    ImGui::EndTable();
+  }
+  ImGui::EndChild();
+  if (footer(context, {"Close", true, false})) finish(context);
+  ImGui::EndPopup();
+}
+
+void Dialogs::draw_about(UiContext& context) {
+  UiState& ui = context.ui;
+  if (!begin_window(ui, 520, 300)) return;
+  text_muted(ui, "Version " NETWRIGHT_VERSION);
+  ImGui::TextWrapped(
+      "Unfolds a 3-D model into one piece of paper without overlaps, shows how it is found, and prints it to "
+      "scale.");
+  ImGui::TextWrapped(
+      "The search is a tabu search over the ways to unfold a model; the README says whose method it is. Set "
+      "in Inter, "
+      "with Material Design Icons.");
+  text_muted(ui, "MIT licence");
+  if (footer(context, {"Close", true, false})) finish(context);
+  ImGui::EndPopup();
+}
+
+void Dialogs::draw(UiContext& context) {
+  if (context.ui.dialog != Dialog::None && present_ == Dialog::None) begin(context);
+  switch (present_) {
+    case Dialog::None:
+      return;
+    case Dialog::Open:
+      draw_open(context);
+      break;
+    case Dialog::Export:
+      draw_export(context);
+      break;
+    case Dialog::Keys:
+      draw_keys(context);
+      break;
+    case Dialog::About:
+      draw_about(context);
+      break;
+  }
+  // Closed from outside (Esc): ImGui took the popup down.
+  if (present_ != Dialog::None && !ImGui::IsPopupOpen(kTitles[static_cast<std::size_t>(present_)])) {
+    context.ui.dialog = present_ = Dialog::None;
+  }
+  is_cancelled_ = is_accepted_ = false;
+}
+
+}  // namespace netwright

@@ -1,0 +1,51 @@
+// The modal dialogs: open a model, export, keys, about. Which one is up stands in UiState::dialog.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "ui/file_browser.h"
+
+namespace netwright {
+
+class Dialogs {
+ public:
+  /// Opens and draws what UiState::dialog asks for; call once per frame, outside of all windows.
+  void draw(UiContext& context);
+  /// Is one up? Then shortcuts rest.
+  [[nodiscard]] bool is_open() const { return present_ != Dialog::None; }
+  /// Esc and Enter, as the window's events bring them.
+  void cancel() { is_cancelled_ = true; }
+  void accept() { is_accepted_ = true; }
+
+ private:
+  void begin(UiContext& context);
+  void finish(UiContext& context);
+  void draw_open(UiContext& context);
+  void choose_format(UiState& ui);
+  void draw_export(UiContext& context);
+  void draw_keys(UiContext& context);
+  void draw_about(UiContext& context);
+  bool begin_window(const UiState& ui, float width, float height) const;
+  /// What stands at the bottom: a notice at the left, Cancel (where there is something to cancel) and the
+  /// main button at the right.
+  struct Footer {
+    std::string label = {};
+    bool is_enabled = true;
+    bool has_cancel = true;
+    std::string notice = {};
+  };
+  /// True when the main button was pressed.
+  bool footer(UiContext& context, const Footer& what);
+
+  FileBrowser browser_;
+  Dialog present_ = Dialog::None;
+  bool is_cancelled_ = false;
+  bool is_accepted_ = false;
+  std::filesystem::path export_folder_;
+};
+
+/// The model's name as a file name: without folder and extension.
+std::string file_stem(const Session& session);
+
+}  // namespace netwright

@@ -1,0 +1,142 @@
+// The menus. Entries come from the table of actions; what depends on files or lists stands here.
+#include <array>
+#include <string>
+
+#include "ui/actions.h"
+#include "ui/frame_parts.h"
+#include "ui/samples.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+void entry(UiContext& context, ActionId id) {
+  const Action& wanted = action(id);
+  const bool is_on = wanted.is_on != nullptr && wanted.is_on(context);
+  const std::string shortcut = shortcut_text(wanted.shortcut);
+  const bool is_enabled = is_possible(context, id);
+  const std::string label = label_of(context, wanted) + "###" + std::string(wanted.name);
+  const bool is_chosen = ImGui::MenuItem(label.c_str(), shortcut.c_str(), is_on, is_enabled);
+  note_widget(context.ui, "menu/" + std::string(wanted.name));
+  if (!is_enabled) tooltip(context.ui, wanted.why_not(context));
+  if (is_chosen) run_action(context, id);
+}
+
+void recent_menu(UiContext& context) {
+  const auto recent = context.ui.settings.recent;
+  if (recent.empty() || !ImGui::BeginMenu("Recent")) return;
+  for (const auto& file : recent) {
+    if (ImGui::MenuItem(file.filename().c_str())) context.session.open(file);
+    tooltip(context.ui, file.string());
+  }
+  ImGui::EndMenu();
+}
+
+void file_menu(UiContext& context) {
+  entry(context, ActionId::Open);
+  recent_menu(context);
+  const bool is_open = ImGui::BeginMenu("Samples");
+  note_widget(context.ui, "menu/Samples");
+  if (is_open) {
+    for (const Sample& sample : samples()) {
+      if (ImGui::MenuItem(std::string(sample.title).c_str())) open_sample(context.session, sample);
+      note_widget(context.ui, "menu/Samples/" + std::string(sample.title));
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  entry(context, ActionId::ExportPdf);
+  if (ImGui::BeginMenu("Export as")) {
+    for (const ActionId id : {ActionId::ExportSvg, ActionId::ExportPng, ActionId::ExportFold})
+      entry(context, id);
+    ImGui::EndMenu();
+  }
+  ImGui::Separator();
+  entry(context, ActionId::Quit);
+}
+
+void theme_menu(UiContext& context) {
+  if (!ImGui::BeginMenu("Theme")) return;
+  static constexpr std::array<const char*, 3> kNames{"As the desktop", "Light", "Dark"};
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    const auto choice = static_cast<ThemeChoice>(i);
+    if (ImGui::MenuItem(kNames[i], "", context.ui.settings.theme == choice))
+      context.ui.settings.theme = choice;
+    note_widget(context.ui, std::string("menu/Theme/") + kNames[i]);
+  }
+  ImGui::EndMenu();
+}
+
+void scale_menu(UiContext& context) {
+  if (!ImGui::BeginMenu("Size of the interface")) return;
+  int& percent = context.ui.settings.scale_percent;
+  if (ImGui::MenuItem("As the screen", "", percent == 0)) percent = 0;
+  for (const int choice : {100, 125, 150, 175, 200}) {
+    if (ImGui::MenuItem((std::to_string(choice) + " %").c_str(), "", percent == choice)) percent = choice;
+  }
+  ImGui::EndMenu();
+}
+
+void view_menu(UiContext& context) {
+  for (const ActionId id : {ActionId::Frame, ActionId::Home}) entry(context, id);
+  ImGui::Separator();
+  for (const ActionId id :
+       {ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot, ActionId::TogglePages}) {
+    entry(context, id);
+  }
+  ImGui::Separator();
+  entry(context, ActionId::ToggleSide);
+  theme_menu(context);
+  scale_menu(context);
+}
+
+void plain_menu(UiContext& context, std::initializer_list<ActionId> ids) {
+  for (const ActionId id : ids) entry(context, id);
+}
+
+void title_at_right(UiContext& context) {
+  if (!context.session.has_model()) return;
+  const std::string& name = context.session.project().dual->mesh().name();
+  const float width = ImGui::CalcTextSize(name.c_str()).x;
+  const float left = ImGui::GetWindowWidth() - width - context.ui.look.px(16);
+  if (left < ImGui::GetCursorPosX()) return;
+  ImGui::SetCursorPosX(left);
+  text_muted(context.ui, name);
+}
+
+}  // namespace
+
+float draw_menu_bar(UiContext& context) {
+  const Look& look = context.ui.look;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(8), look.px(7)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(16), look.px(8)));
+  if (!ImGui::BeginMainMenuBar()) {
+    ImGui::PopStyleVar(2);
+    return 0;
+  }
+  const auto menu = [&](const char* name, auto&& fill) {
+    const bool is_open = ImGui::BeginMenu(name);
+    note_widget(context.ui, std::string("menu/") + name);
+    if (!is_open) return;
+    fill();
+    ImGui::EndMenu();
+  };
+  menu("File", [&] { file_menu(context); });
+  menu("Edit", [&] { plain_menu(context, {ActionId::Undo, ActionId::Redo}); });
+  menu("Model", [&] {
+    plain_menu(context, {ActionId::ShowReport, ActionId::CentreFace, ActionId::ClearSelection});
+  });
+  menu("Solve", [&] {
+    plain_menu(context, {ActionId::Unfold, ActionId::Step, ActionId::Stop, ActionId::NewSeed,
+                         ActionId::PinRoot, ActionId::SkipReplay});
+  });
+  menu("View", [&] { view_menu(context); });
+  menu("Help", [&] { plain_menu(context, {ActionId::Keys, ActionId::About}); });
+  title_at_right(context);
+  const float height = ImGui::GetWindowHeight();
+  ImGui::EndMainMenuBar();
+  ImGui::PopStyleVar(2);
+  return height;
+}
+
+}  // namespace netwright

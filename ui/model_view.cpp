@@ -1,0 +1,110 @@
+// The model's view: its camera follows the mouse, its picture is drawn again only when something in it
+// changed.
+#include "ui/model_view.h"
+
+#include <array>
+#include <cmath>
+
+#include "ui/widgets.h"
+
+namespace netwright {
+
+void ModelView::follow_wishes(UiContext& context, const Scene& scene) {
+  UiState& ui = context.ui;
+  if (scene.dual() == nullptr) return;
+  const Mesh& mesh = scene.dual()->mesh();
+  const bool is_new = model_version_ != scene.model_version();
+  if (is_new || ui.wants_home) {
+    camera_.set_up_axis(mesh.up_axis());
+    camera_.reset_direction();
+  }
+  if (is_new || ui.wants_frame_model) camera_.frame(mesh.box());
+  model_version_ = scene.model_version();
+  ui.wants_home = ui.wants_frame_model = false;
+  if (ui.centre_now.is_valid()) camera_.centre_on(mesh.centre(ui.centre_now));
+}
+
+void ModelView::handle(UiContext& context, const Scene& scene, const Gesture& gesture) {
+  UiState& ui = context.ui;
+  const glm::dvec2 pointer(gesture.pointer.x, gesture.pointer.y);
+  const glm::dvec2 drag(gesture.drag.x, gesture.drag.y);
+  if (gesture.drag_button == 0) camera_.orbit(drag);
+  if (gesture.drag_button > 0) camera_.pan(drag);
+  if (gesture.wheel != 0) camera_.zoom(std::pow(1.15, gesture.wheel), pointer);
+  if (!gesture.is_hovered || gesture.drag_button >= 0) return;
+  ui.hovered = scene.model_picker().pick(camera_.ray(pointer));
+  ui.hint = ui.hovered.is_valid()
+                ? face_text(ui.hovered) + " · click selects · R makes it the root · double-click centres it"
+                : "Drag turns · right drag moves · wheel zooms · F shows all";
+  if (gesture.is_clicked) ui.selected = ui.hovered;
+  if (gesture.is_double_clicked && ui.hovered.is_valid()) ui.wants_centre = ui.hovered;
+}
+
+void ModelView::paint(const UiContext& context, const Scene& scene, Renderers& renderers) {
+  const UiState& ui = context.ui;
+  const Palette& colours = palette_of(ui);
+  renderers.background.draw_gradient(colours);
+  if (scene.dual() == nullptr) return;
+  MeshLook look;
+  look.scale = ui.look.scale;
+  renderers.mesh.draw(camera_, colours, scene.states(), look);
+  if (scene.shown() == nullptr) return;
+  TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
+  renderers.tree.draw_on_model(camera_, colours, tree);
+}
+
+void ModelView::draw_axes(const UiState& ui, const Mesh& mesh, ImVec2 corner, ImVec2 size) const {
+  static constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+  static constexpr std::array<ImU32, 3> kPaint{
+      IM_COL32(0xC8, 0x3C, 0x3C, 255), IM_COL32(0x3A, 0x8E, 0x4A, 255), IM_COL32(0x3C, 0x62, 0xC8, 255)};
+  if (mesh.n_faces() == 0) return;
+  const Look& look = ui.look;
+  const ImVec2 origin(corner.x + look.px(40), corner.y + size.y - look.px(40));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i < 3; ++i) {
+    glm::dvec3 axis(0);
+    axis[static_cast<int>(i)] = 1;
+    const glm::dvec2 along = camera_.screen_direction(axis);
+    const auto at = [&](double length) {
+      return ImVec2(origin.x + static_cast<float>(along.x * length),
+                    origin.y + static_cast<float>(along.y * length));
+    };
+    draw.AddLine(origin, at(look.px(22)), kPaint[i], look.px(1.5F));
+    ImFont* font = look.fonts.small;
+    const ImVec2 extent = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, kNames[i]);
+    const ImVec2 tip = at(look.px(30));
+    draw.AddText(font, font->FontSize,
+                 ImVec2(std::floor(tip.x - extent.x / 2), std::floor(tip.y - extent.y / 2)),
+                 look.colours.muted, kNames[i]);
+  }
+}
+
+void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderers) {
+  UiState& ui = context.ui;
+  const std::string name = scene.dual() == nullptr ? "" : scene.dual()->mesh().name();
+  view_header(context, "model", "Model", name, to_u32(palette_of(ui).background_top),
+              {ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot, ActionId::Frame});
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  if (size.x < 1 || size.y < 1) return;
+  camera_.set_size({size.x, size.y});
+  follow_wishes(context, scene);
+  handle(context, scene, picture_gesture(ui, "model/picture", size));
+  PictureKey key;
+  key.add(camera_)
+      .add(scene.model_version())
+      .add(scene.version())
+      .add(ui.look.colours.is_dark)
+      .add(ui.look.scale);
+  key.add(ui.settings.show_tree).add(ui.settings.show_root);
+  key.add_bytes(scene.states().bits().data(), scene.states().size());
+  renderers.model_picture.redraw({static_cast<int>(size.x), static_cast<int>(size.y)}, key,
+                                 [&] { paint(context, scene, renderers); });
+  ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+  const auto texture = reinterpret_cast<ImTextureID>(renderers.model_picture.texture());
+  draw_list.AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y), ImVec2(0, 1),
+                     ImVec2(1, 0));
+  if (scene.dual() != nullptr) draw_axes(ui, scene.dual()->mesh(), corner, size);
+}
+
+}  // namespace netwright

@@ -1,0 +1,27 @@
+// The 3-D model: drag turns, right or middle drag pans, wheel zooms at the pointer, click selects,
+// double-click centres a face in both views.
+#pragma once
+
+#include "render/camera.h"
+#include "ui/scene.h"
+#include "ui/view_parts.h"
+
+namespace netwright {
+
+class ModelView {
+ public:
+  /// Draws header and picture into the present ImGui window.
+  void draw(UiContext& context, const Scene& scene, Renderers& renderers);
+  [[nodiscard]] const OrbitCamera& camera() const { return camera_; }
+
+ private:
+  void follow_wishes(UiContext& context, const Scene& scene);
+  void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
+  void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
+  void draw_axes(const UiState& ui, const Mesh& mesh, ImVec2 corner, ImVec2 size) const;
+
+  OrbitCamera camera_;
+  std::uint64_t model_version_ = 0;
+};
+
+}  // namespace netwright

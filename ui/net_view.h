@@ -1,0 +1,31 @@
+// The 2-D net, live: right or middle drag pans (left drag, too, from the empty desk), wheel zooms at the
+// pointer, click selects, double-click centres a face in both views.
+#pragma once
+
+#include "render/camera.h"
+#include "ui/scene.h"
+#include "ui/view_parts.h"
+
+namespace netwright {
+
+class NetView {
+ public:
+  /// Draws header, picture and legend into the present ImGui window.
+  void draw(UiContext& context, const Scene& scene, Renderers& renderers);
+  [[nodiscard]] const PanZoomCamera& camera() const { return camera_; }
+
+ private:
+  void follow_net(UiContext& context, const Scene& scene);
+  void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
+  void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
+  void legend(const UiContext& context, const Scene& scene);
+
+  PanZoomCamera camera_;
+  bool is_moved_by_user_ = false;  ///< then nets are no longer framed by themselves
+  bool is_panning_ = false;        ///< a left drag that began on the empty desk
+  std::uint64_t model_version_ = 0;
+  std::uint64_t version_ = 0;
+  bool was_on_pages_ = false;
+};
+
+}  // namespace netwright

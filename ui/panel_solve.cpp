@@ -1,0 +1,99 @@
+// The search's three settings and the chart of what it does.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "assets/icons.h"
+#include "ui/actions.h"
+#include "ui/panels.h"
+#include "ui/status.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+constexpr int kMaxStreams = 16;
+
+void seed_row(UiContext& c) {
+  UiState& ui = c.ui;
+  const float width = row(ui, "Seed") - ui.look.px(16);
+  ImGui::SetNextItemWidth(width - ui.look.px(40));
+  std::uint64_t seed = c.session.project().seed;
+  if (number_field(ui, "solve/seed", seed)) c.session.set_seed(seed);
+  tooltip(ui, "The same model and seed give the same net on every machine");
+  ImGui::SameLine();
+  ButtonSpec dice{"solve/dice", "", icon::kSeed};
+  const Action& next = action(ActionId::NewSeed);
+  dice.tip = tip_of(c, next);
+  dice.is_enabled = is_possible(c, ActionId::NewSeed);
+  dice.kind = ButtonKind::Outlined;
+  dice.width = ui.look.px(32);
+  dice.height = ImGui::GetFrameHeight();
+  if (button(ui, dice)) run_action(c, ActionId::NewSeed);
+}
+
+bool small_button(const UiState& ui, const char* name, const char* sign, bool is_enabled) {
+  ButtonSpec spec{name, "", sign};
+  spec.kind = ButtonKind::Outlined;
+  spec.width = ui.look.px(32);
+  spec.height = ImGui::GetFrameHeight();
+  spec.is_enabled = is_enabled;
+  if (!is_enabled) spec.tip = "Between 1 and " + std::to_string(kMaxStreams) + " streams";
+  return button(ui, spec);
+}
+
+void streams_row(UiContext& c) {
+  UiState& ui = c.ui;
+  const float width = row(ui, "Streams") - ui.look.px(16);
+  ImGui::SetNextItemWidth(width - 2 * ui.look.px(40));
+  auto streams = static_cast<std::uint64_t>(c.session.streams());
+  const bool is_typed = number_field(ui, "solve/streams", streams);
+  tooltip(ui, "Independent searches side by side; the first net found wins. Counts from the next run on");
+  ImGui::SameLine();
+  const bool is_less = small_button(ui, "solve/streams-less", icon::kRemove, c.session.streams() > 1);
+  ImGui::SameLine();
+  const bool is_more = small_button(ui, "solve/streams-more", icon::kAdd, c.session.streams() < kMaxStreams);
+  if (is_less) --streams;
+  if (is_more) ++streams;
+  if (!is_typed && !is_less && !is_more) return;
+  c.session.set_streams(static_cast<int>(std::clamp<std::uint64_t>(streams, 1, kMaxStreams)));
+}
+
+void time_limit_row(UiContext& c) {
+  UiState& ui = c.ui;
+  ImGui::SetNextItemWidth(row(ui, "Time limit") - ui.look.px(16));
+  double seconds = c.session.time_limit();
+  const char* format = seconds > 0 ? "%.0f s" : "none";
+  if (number_field(ui, "solve/limit", seconds, format)) c.session.set_time_limit(std::max(seconds, 0.0));
+  tooltip(ui, "When it is over, the search ends with the best net so far. 0 means no limit");
+}
+
+std::string chart_summary(const RunFigures& figures) {
+  if (figures.history.empty()) return {};
+  return grouped(figures.overlaps_at_start) + " → " + grouped(figures.overlaps) + " in " +
+         counted(figures.moves, "move", "moves");
+}
+
+}  // namespace
+
+void panel_solve(UiContext& context) {
+  UiState& ui = context.ui;
+  seed_row(context);
+  streams_row(context);
+  time_limit_row(context);
+  const RunFigures figures = context.session.figures();
+  if (figures.history.empty()) return;
+  ImGui::Dummy(ImVec2(0, ui.look.px(4)));
+  ImGui::TextUnformatted("Overlaps");
+  ImGui::PushFont(ui.look.fonts.small);
+  const std::string summary = chart_summary(figures);
+  ImGui::SameLine(ImGui::GetWindowWidth() - ui.look.px(16) - ImGui::CalcTextSize(summary.c_str()).x);
+  text_muted(ui, summary);
+  ImGui::PopFont();
+  const RunState state = context.session.state();
+  overlap_chart(ui, figures.history, figures.history_stride,
+                state == RunState::Running || state == RunState::Replaying || state == RunState::Paused);
+}
+
+}  // namespace netwright

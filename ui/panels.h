@@ -1,0 +1,20 @@
+// The side panel: an accordion of short sections. Each draws its body only; side_panel draws the headers.
+#pragma once
+
+#include <vector>
+
+#include "ui/ui_state.h"
+
+namespace netwright {
+
+/// The whole panel, into the present ImGui window.
+void side_panel(UiContext& context);
+
+void panel_model(UiContext& context);
+void panel_solve(UiContext& context);
+void panel_paper(UiContext& context);
+
+/// Overlaps over moves: a step line with axes; `stride` moves lie between two values.
+void overlap_chart(const UiState& ui, const std::vector<int>& history, std::int64_t stride, bool is_running);
+
+}  // namespace netwright

@@ -1,0 +1,91 @@
+// The slim bar under the toolbar: what is going on, how far it is, and the way out.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/actions.h"
+#include "ui/frame_parts.h"
+#include "ui/status.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+constexpr double kSoonOver = 0.6;  ///< seconds; a bar that only flashes up would unsettle
+
+struct Work {
+  std::string what;
+  std::string detail;
+  std::string left;  ///< right of the bar
+  double fraction = 0;
+  bool can_stop = false;
+};
+
+Work search_work(const UiContext& c) {
+  const RunFigures figures = c.session.figures();
+  Work work{c.session.state() == RunState::Paused ? "Paused" : "Unfolding", "", "", 0, true};
+  work.detail = "move " + grouped(figures.moves);
+  const int most = std::max(figures.overlaps_at_start, 1);
+  const int gone = std::max(most - figures.overlaps, 0);
+  work.fraction = static_cast<double>(gone) / most;
+  work.left = grouped(gone) + " of " + counted(figures.overlaps_at_start, "overlap", "overlaps") + " gone";
+  if (c.session.time_limit() > 0 && c.session.state() == RunState::Running) {
+    const double seconds = std::max(c.session.time_limit() - figures.seconds, 0.0);
+    work.left += " · at most " + duration_text(std::ceil(seconds)) + " left";
+  }
+  return work;
+}
+
+bool is_searching(const UiContext& c) {
+  const RunState state = c.session.state();
+  return state == RunState::Running || state == RunState::Paused;
+}
+
+}  // namespace
+
+bool has_progress(const UiContext& context) {
+  if (is_searching(context)) {
+    return context.session.state() == RunState::Paused || context.session.figures().seconds > kSoonOver;
+  }
+  return context.session.chore() != nullptr && context.ui.now - context.ui.chore_since > kSoonOver;
+}
+
+void draw_progress(UiContext& context) {
+  const UiState& ui = context.ui;
+  const Look& look = ui.look;
+  Work work;
+  if (is_searching(context)) {
+    work = search_work(context);
+  } else if (const auto chore = context.session.chore(); chore != nullptr) {
+    work = {chore->phase(), "", std::to_string(std::lround(chore->fraction() * 100)) + " %",
+            chore->fraction(), false};
+  }
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const float middle = std::floor(min.y + size.y / 2);
+  const float text_y = std::floor(middle - ImGui::GetTextLineHeight() / 2);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  float left = min.x + look.px(16);
+  ImFont* bold = look.fonts.bold;
+  draw.AddText(bold, bold->FontSize, ImVec2(left, text_y), look.colours.text, work.what.c_str());
+  left += bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, work.what.c_str()).x + look.px(8);
+  draw.AddText(ImVec2(left, text_y), look.colours.muted, work.detail.c_str());
+  left = std::max(left + ImGui::CalcTextSize(work.detail.c_str()).x + look.px(16), min.x + look.px(280));
+  const ButtonSpec stop{"progress/stop",      "Stop", "",          tip_of(context, action(ActionId::Stop)),
+                        ButtonKind::Outlined, true,   look.px(72), look.px(24)};
+  float right = min.x + size.x - look.px(12) - (work.can_stop ? stop.width + look.px(12) : 0);
+  right -= ImGui::CalcTextSize(work.left.c_str()).x;
+  draw.AddText(ImVec2(right, text_y), look.colours.muted, work.left.c_str());
+  const float thick = look.px(2);
+  const float end = right - look.px(16);
+  if (end > left) {
+    const float at = left + (end - left) * static_cast<float>(std::clamp(work.fraction, 0.0, 1.0));
+    draw.AddRectFilled(ImVec2(left, middle - thick), ImVec2(end, middle + thick), look.colours.border, thick);
+    draw.AddRectFilled(ImVec2(left, middle - thick), ImVec2(at, middle + thick), look.colours.accent, thick);
+  }
+  if (!work.can_stop) return;
+  ImGui::SetCursorScreenPos(ImVec2(min.x + size.x - look.px(12) - stop.width, middle - look.px(12)));
+  if (button(ui, stop)) run_action(context, ActionId::Stop);
+}
+
+}  // namespace netwright

@@ -1,0 +1,143 @@
+// Decides what is drawn, and carries nets from the pages' millimetres (y down) to the view's units (y up).
+#include "ui/scene.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/sheet/pages.h"
+
+namespace netwright {
+namespace {
+
+constexpr double kGapMm = 15;  ///< between canvases on the desk
+
+Box2 flipped(glm::dvec2 corner, glm::dvec2 size, double scale) {
+  Box2 box;
+  box.add(glm::dvec2(corner.x, -corner.y) / scale);
+  box.add(glm::dvec2(corner.x + size.x, -corner.y - size.y) / scale);
+  return box;
+}
+
+/// Where canvas `index` begins on the desk, in mm.
+double canvas_left(const PageLayout& layout, int index) {
+  double left = 0;
+  for (int i = 0; i < index; ++i) {
+    const auto& canvas = layout.canvases[static_cast<std::size_t>(i)];
+    left += std::max(canvas.width_mm, layout.frame.width_mm) + kGapMm;
+  }
+  return left;
+}
+
+/// A page that stands alone is shown whole; tiles are shown as what they print, since their margins overlap.
+SheetOutline outline_of(const PageLayout& layout, const PageLayout::Page& page) {
+  const PageFrame& frame = layout.frame;
+  const glm::dvec2 shift(canvas_left(layout, page.canvas), 0);
+  const glm::dvec2 origin = page.origin + shift;
+  const glm::dvec2 net_size = frame.net.size();
+  if (layout.canvases[static_cast<std::size_t>(page.canvas)].is_tiled()) {
+    const glm::dvec2 inset(std::min(layout.overlap_mm, net_size.x / 4),
+                           std::min(layout.overlap_mm, net_size.y / 4));
+    return {flipped(origin, net_size, layout.scale),
+            flipped(origin + inset, net_size - 2.0 * inset, layout.scale)};
+  }
+  const glm::dvec2 corner = origin - frame.net.min;
+  return {flipped(corner, {frame.width_mm, frame.height_mm}, layout.scale),
+          flipped(corner + frame.printable.min, frame.printable.size(), layout.scale)};
+}
+
+}  // namespace
+
+PagedNet on_pages(const Net& net, const PaperSetup& paper, const PrintSize& size) {
+  const PageLayout layout = arrange(net, paper, size);
+  PagedNet paged{net, {}};
+  for (const FaceId f : net.mesh().faces()) {
+    const auto& placement = layout.pieces[static_cast<std::size_t>(net.piece[f])];
+    // The turn acts on millimetres; divided by the scale it acts on the net's own units.
+    Rigid2 turn = placement.turn;
+    turn.x = (turn.x + canvas_left(layout, placement.canvas)) / layout.scale;
+    turn.y /= layout.scale;
+    paged.net.placement[f] = turn * net.placement[f];
+  }
+  for (const auto& page : layout.pages) paged.sheets.push_back(outline_of(layout, page));
+  return paged;
+}
+
+void Scene::place(const Project& project) {
+  paged_ = nullptr;
+  net_box_ = Box2();
+  if (shown_ == nullptr) return;
+  if (wants_pages_) {
+    try {
+      paged_ = std::make_unique<const PagedNet>(on_pages(shown_->net, project.paper, project.size));
+    } catch (const Error&) {
+      // The session tells why there are no pages; the net itself can still be shown.
+    }
+  }
+  net_box_ = net()->box();
+  if (paged_ == nullptr) return;
+  for (const SheetOutline& sheet : paged_->sheets) net_box_.add(sheet.border);
+}
+
+void Scene::take_net(const UiContext& context, Renderers& renderers) {
+  const Project& project = context.session.project();
+  const auto shown = context.session.shown();
+  const RunState state = context.session.state();
+  const bool wants_pages =
+      context.ui.settings.show_pages && state == RunState::Idle && shown != nullptr && shown->is_proved;
+  const bool is_same = shown == shown_ && wants_pages == wants_pages_ &&
+                       (!wants_pages || (project.paper == paper_ && project.size == size_));
+  if (is_same) return;
+  shown_ = shown;
+  wants_pages_ = wants_pages;
+  paper_ = project.paper;
+  size_ = project.size;
+  ++version_;
+  place(project);
+  if (shown_ == nullptr) {
+    renderers.net.clear();
+    renderers.tree.clear();
+    net_picker_.clear();
+    return;
+  }
+  renderers.net.set_net(*net(), shown_->kinds, version_);
+  renderers.net.set_sheets(paged_ == nullptr ? std::span<const SheetOutline>() : paged_->sheets);
+  renderers.tree.set_tree(*net(), shown_->climbed, shown_->candidates, version_);
+  net_picker_.set_net(*net(), version_);
+}
+
+void Scene::mark_faces(const UiContext& context) {
+  states_ = FaceStates(dual_ == nullptr ? 0 : dual_->mesh().n_faces());
+  if (dual_ == nullptr) return;
+  const UiState& ui = context.ui;
+  states_.add(ui.hovered, FaceState::Hovered);
+  states_.add(ui.selected, FaceState::Selected);
+  if (ui.settings.show_root) {
+    states_.add(context.session.project().pinned_root, FaceState::Root);
+    if (shown_ != nullptr) {
+      for (const FaceId root : shown_->net.tree.roots()) states_.add(root, FaceState::Root);
+    }
+  }
+  if (shown_ == nullptr) return;
+  if (ui.settings.show_overlaps) {
+    for (std::size_t f = 0; f < shown_->is_overlapping.size(); ++f) {
+      if (shown_->is_overlapping[f]) states_.add(FaceId(f), FaceState::Overlapping);
+    }
+  }
+  for (const FaceId f : shown_->climbed) states_.add(f, FaceState::Climbed);
+  if (shown_->last_move) states_.add(shown_->last_move->chosen, FaceState::Chosen);
+}
+
+void Scene::update(const UiContext& context, Renderers& renderers) {
+  const auto& dual = context.session.project().dual;
+  if (dual != dual_) {
+    dual_ = dual;
+    ++model_version_;
+    renderers.mesh.set_model(dual_);
+    model_picker_.set_model(dual_);
+    context.ui.hovered = context.ui.selected = FaceId();
+  }
+  take_net(context, renderers);
+  mark_faces(context);
+}
+
+}  // namespace netwright

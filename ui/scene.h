@@ -1,0 +1,67 @@
+// What both views show in this frame: the net (laid on its pages once it is finished, if wanted), and the
+// state of every face. Feeds renderers and pickers, which take over only what changed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/project/session.h"
+#include "render/face_states.h"
+#include "render/picker.h"
+#include "render/renderers.h"
+#include "ui/ui_state.h"
+
+namespace netwright {
+
+/// A finished net on its paper, in the net's own units, y up; pages stand side by side.
+struct PagedNet {
+  Net net;
+  std::vector<SheetOutline> sheets;
+};
+
+/// Lays a net out as it will be printed. Throws what arrange throws.
+PagedNet on_pages(const Net& net, const PaperSetup& paper, const PrintSize& size);
+
+class Scene {
+ public:
+  /// Brings everything up to date; call once per frame before the views.
+  void update(const UiContext& context, Renderers& renderers);
+
+  [[nodiscard]] const std::shared_ptr<const DualGraph>& dual() const { return dual_; }
+  [[nodiscard]] const std::shared_ptr<const ShownNet>& shown() const { return shown_; }
+  /// The net as it is drawn; null when there is none.
+  [[nodiscard]] const Net* net() const {
+    return shown_ == nullptr ? nullptr : (paged_ ? &paged_->net : &shown_->net);
+  }
+  /// Everything the net's view should show: net and pages.
+  [[nodiscard]] const Box2& net_box() const { return net_box_; }
+  [[nodiscard]] bool is_on_pages() const { return paged_ != nullptr; }
+  /// Changes whenever the net, its pages or its overlaps do.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// Counts the models shown so far: a new one is framed.
+  [[nodiscard]] std::uint64_t model_version() const { return model_version_; }
+  [[nodiscard]] const FaceStates& states() const { return states_; }
+  [[nodiscard]] const ModelPicker& model_picker() const { return model_picker_; }
+  [[nodiscard]] const NetPicker& net_picker() const { return net_picker_; }
+
+ private:
+  void take_net(const UiContext& context, Renderers& renderers);
+  void mark_faces(const UiContext& context);
+  void place(const Project& project);
+
+  std::shared_ptr<const DualGraph> dual_;
+  std::shared_ptr<const ShownNet> shown_;
+  std::unique_ptr<const PagedNet> paged_;
+  PaperSetup paper_;
+  PrintSize size_;
+  bool wants_pages_ = false;
+  Box2 net_box_;
+  std::uint64_t version_ = 1;
+  std::uint64_t model_version_ = 0;
+  FaceStates states_;
+  ModelPicker model_picker_;
+  NetPicker net_picker_;
+};
+
+}  // namespace netwright

@@ -1,0 +1,69 @@
+// The accordion: which sections there are, what their headers summarize, and the lines between them.
+#include <array>
+#include <string>
+
+#include "ui/panels.h"
+#include "ui/status.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+std::string model_summary(const UiContext& c) {
+  if (!c.session.has_model()) return "none";
+  return counted(static_cast<std::int64_t>(c.session.project().dual->mesh().n_faces()), "face", "faces");
+}
+
+std::string solve_summary(const UiContext& c) {
+  return c.session.has_model() ? "seed " + std::to_string(c.session.project().seed) : "";
+}
+
+std::string paper_summary(const UiContext& c) {
+  const auto sheets = c.session.sheets();
+  const std::string& format = c.session.project().paper.format;
+  return sheets == nullptr ? format : std::to_string(sheets->size()) + " × " + format;
+}
+
+struct SectionLine {
+  Section section;
+  const char* title;
+  std::string (*summary)(const UiContext&);
+  void (*body)(UiContext&);
+};
+
+constexpr std::array<SectionLine, 3> kSections{
+    SectionLine{Section::Model, "Model", model_summary, panel_model},
+    SectionLine{Section::Solve, "Solve", solve_summary, panel_solve},
+    SectionLine{Section::Paper, "Paper", paper_summary, panel_paper}};
+
+void line_below(const UiState& ui) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x;
+  ImGui::GetWindowDrawList()->AddLine(at, ImVec2(right, at.y), ui.look.colours.border);
+  ImGui::Dummy(ImVec2(0, 1));
+}
+
+}  // namespace
+
+void side_panel(UiContext& context) {
+  UiState& ui = context.ui;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), 0));
+  for (const SectionLine& line : kSections) {
+    bool& is_open = ui.is_open[static_cast<int>(line.section)];
+    if (section_header(ui, line.title, line.summary(context), is_open)) is_open = !is_open;
+    if (is_open) {
+      ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), ui.look.px(8)));
+      ImGui::Indent(ui.look.px(16));
+      ImGui::PushItemWidth(-ui.look.px(16));
+      line.body(context);
+      ImGui::PopItemWidth();
+      ImGui::Unindent(ui.look.px(16));
+      ImGui::PopStyleVar();
+      ImGui::Dummy(ImVec2(0, ui.look.px(12)));
+    }
+    line_below(ui);
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace netwright

@@ -1,0 +1,134 @@
+// Puts figures into words. A number always comes with what it counts, and nothing is said that is not known.
+#include "ui/status.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace netwright {
+namespace {
+
+constexpr double kFastestShown = 1000;   ///< moves a second just before full speed
+constexpr double kFullSpeedFrom = 0.97;  ///< share of the slider's way
+
+std::string number_text(const char* format, double value) {
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
+}
+
+void add(std::string& text, const std::string& part) {
+  if (!text.empty()) text += " · ";
+  text += part;
+}
+
+std::string overlaps_text(int n) { return counted(n, "overlap", "overlaps"); }
+
+std::string pieces_text(const ShownNet& shown) {
+  return shown.net.n_pieces == 1 ? "one piece, proved"
+                                 : counted(shown.net.n_pieces, "piece", "pieces") + ", proved";
+}
+
+void add_run(std::string& text, const RunFigures& figures, bool is_running) {
+  add(text, counted(figures.moves, "move", "moves"));
+  if (is_running && figures.moves_per_second >= 1) {
+    add(text, grouped(std::llround(figures.moves_per_second)) + " moves/s");
+  }
+  if (figures.restarts > 0) add(text, counted(figures.restarts, "restart", "restarts"));
+  add(text, "seed " + std::to_string(figures.seed));
+  add(text, duration_text(figures.seconds));
+}
+
+Status running_status(const RunFigures& figures, const char* verb) {
+  Status status{Tone::Working, "", std::string(verb)};
+  status.in_short += " " + overlaps_text(figures.overlaps);
+  status.text = status.in_short;
+  add(status.text, counted(figures.faces, "face", "faces"));
+  add_run(status.text, figures, true);
+  return status;
+}
+
+Status idle_status(const Session& session) {
+  const RunFigures figures = session.figures();
+  const auto shown = session.shown();
+  Status status;
+  if (shown == nullptr) {
+    status.in_short = "ready to unfold";
+    status.text = counted(figures.faces, "face", "faces");
+    add(status.text, status.in_short);
+    return status;
+  }
+  if (shown->is_proved) {
+    status.tone = Tone::Good;
+    status.in_short = pieces_text(*shown);
+  } else {
+    status.tone = Tone::Bad;
+    status.in_short = shown->overlaps.empty()
+                          ? "not proved"
+                          : overlaps_text(static_cast<int>(shown->overlaps.size())) + " left";
+  }
+  status.text = status.in_short;
+  add(status.text, counted(figures.faces, "face", "faces"));
+  add_run(status.text, figures, false);
+  return status;
+}
+
+}  // namespace
+
+Status status_of(const Session& session) {
+  switch (session.state()) {
+    case RunState::Empty:
+      return {Tone::Quiet, "no model", "no model"};
+    case RunState::Opening:
+      return {Tone::Working, "opening…", "opening…"};
+    case RunState::Running:
+      return running_status(session.figures(), "unfolding…");
+    case RunState::Paused:
+      return running_status(session.figures(), "paused at");
+    case RunState::Replaying:
+      return running_status(session.figures(), "replay…");
+    case RunState::Idle:
+      break;
+  }
+  return idle_status(session);
+}
+
+std::string grouped(std::int64_t number) {
+  std::string digits = std::to_string(number < 0 ? -number : number);
+  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), "\u2009");
+  return number < 0 ? "−" + digits : digits;
+}
+
+std::string counted(std::int64_t number, const std::string& one, const std::string& many) {
+  return grouped(number) + " " + (number == 1 ? one : many);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 0.1) return number_text("%.1f ms", seconds * 1000);
+  if (seconds < 10) return number_text("%.1f s", seconds);
+  if (seconds < 120) return number_text("%.0f s", seconds);
+  const auto whole = static_cast<int>(seconds);
+  return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+}
+
+std::string speed_text(double moves_per_second) {
+  if (std::isinf(moves_per_second)) return "full speed";
+  if (moves_per_second < 1.5) return "one move a second";
+  return grouped(std::llround(moves_per_second)) + " moves a second";
+}
+
+double speed_of_slider(double t) {
+  if (t >= kFullSpeedFrom) return std::numeric_limits<double>::infinity();
+  return std::pow(kFastestShown, std::max(t, 0.0) / kFullSpeedFrom);
+}
+
+double slider_of_speed(double moves_per_second) {
+  if (std::isinf(moves_per_second)) return 1;
+  const double share = std::log(std::max(moves_per_second, 1.0)) / std::log(kFastestShown);
+  return std::clamp(share, 0.0, 0.999) * kFullSpeedFrom;
+}
+
+}  // namespace netwright

@@ -1,0 +1,35 @@
+// What the status bar says, in words. Pure text, so that tests can read it without a window.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/project/session.h"
+
+namespace netwright {
+
+enum class Tone { Quiet, Working, Good, Bad };
+
+struct Status {
+  Tone tone = Tone::Quiet;
+  std::string text;      ///< "one piece, proved · 370 faces · 153 moves · 2.4 ms · seed 7"
+  std::string in_short;  ///< "one piece, proved": for the header of the net's view
+};
+
+/// The truth about the search and the net, at the moment of the call.
+Status status_of(const Session& session);
+
+/// Thousands apart by thin spaces: 12 000.
+std::string grouped(std::int64_t number);
+/// "1 move", "2 moves", "12 000 moves".
+std::string counted(std::int64_t number, const std::string& one, const std::string& many);
+/// "2.4 ms", "0.4 s", "12 s", "2 min 5 s".
+std::string duration_text(double seconds);
+/// "12 moves a second", "full speed".
+std::string speed_text(double moves_per_second);
+
+/// The speed slider: 0 is one move a second, 1 is full speed (infinity), logarithmic between.
+double speed_of_slider(double t);
+double slider_of_speed(double moves_per_second);
+
+}  // namespace netwright

@@ -1,0 +1,66 @@
+// What the interface knows beside the Session: selection, hover, which dialog is open, what is shown, what
+// the user is being told. Panels and views take (Session&, UiState&); nothing of it is part of a Project.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/project/session.h"
+#include "ui/settings.h"
+#include "ui/theme.h"
+#include "ui/widget_log.h"
+
+namespace netwright {
+
+enum class Dialog { None, Open, Export, Keys, About };
+enum class Section { Model, Solve, Paper };
+
+struct Toast {
+  std::string text;
+  bool is_good = true;
+  double until = 0;  ///< on the clock of UiState::now
+};
+
+struct UiState {
+  Look look;
+  Settings settings;
+  WidgetLog* widgets = nullptr;
+  bool is_desktop_dark = false;
+
+  double now = 0;          ///< seconds, set by the application before each frame
+  double chore_since = 0;  ///< when the chore in hand began
+  FaceId hovered;          ///< under the pointer, in whichever view
+  FaceId selected;         ///< clicked
+  std::string hint;        ///< what the thing under the pointer does; rebuilt every frame
+
+  bool is_open[3] = {false, true, false};  ///< by Section
+  Dialog dialog = Dialog::None;
+  std::string export_extension = "pdf";  ///< preset of the export dialog
+
+  std::string error;  ///< on the bar above the views; empty when there is none
+  std::deque<Toast> toasts;
+
+  std::uint64_t draft = 0;  ///< bits of the number being typed, until the field is left
+
+  // Wishes of actions, fulfilled by the views in the next frame.
+  bool wants_frame_model = false;
+  bool wants_frame_net = false;
+  bool wants_home = false;
+  FaceId wants_centre;  ///< becomes centre_now at the next frame, for both views alike
+  FaceId centre_now;
+  bool wants_quit = false;
+  bool wants_new_fonts = false;  ///< scale changed
+  int frames_wanted = 0;         ///< more frames to draw although nothing happens
+};
+
+/// One frame's worth of what every action and panel may touch.
+struct UiContext {
+  Session& session;
+  UiState& ui;
+};
+
+}  // namespace netwright

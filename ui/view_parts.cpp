@@ -1,0 +1,84 @@
+// Headers of the views and the reading of mouse gestures from ImGui's state.
+#include "ui/view_parts.h"
+
+#include <cmath>
+
+#include "assets/icons.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+constexpr float kClickSlack = 4;  ///< how far a hand trembles while it clicks, in design pixels
+
+}  // namespace
+
+ImU32 to_u32(const Colour& colour) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(colour.r, colour.g, colour.b, colour.a));
+}
+
+const Palette& palette_of(const UiState& ui) {
+  return palette(ui.look.colours.is_dark ? Theme::Dark : Theme::Light);
+}
+
+float view_header_height(const UiState& ui) { return ui.look.px(40); }
+
+void view_header(UiContext& context, const std::string& name, const std::string& title,
+                 const std::string& state, ImU32 back, std::initializer_list<ActionId> toggles) {
+  UiState& ui = context.ui;
+  const Look& look = ui.look;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, view_header_height(ui));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, ImVec2(min.x + size.x, min.y + size.y), back);
+  const float y = std::floor(min.y + (size.y - ImGui::GetTextLineHeight()) / 2);
+  const float left = min.x + look.px(16);
+  draw.AddText(look.fonts.bold, look.fonts.bold->FontSize, ImVec2(left, y), look.colours.text, title.c_str());
+  const float title_width =
+      look.fonts.bold->CalcTextSizeA(look.fonts.bold->FontSize, FLT_MAX, 0, title.c_str()).x;
+  const float buttons = static_cast<float>(toggles.size()) * look.px(32);
+  const float state_left = left + title_width + look.px(10);
+  const std::string fitting = shortened(state, min.x + size.x - look.px(16) - buttons - state_left);
+  draw.AddText(ImVec2(state_left, y), look.colours.muted, fitting.c_str());
+  ImGui::SetCursorScreenPos(ImVec2(min.x + size.x - look.px(8) - buttons, min.y + look.px(6)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(4), 0));
+  for (const ActionId id : toggles) {
+    const Action& entry = action(id);
+    ButtonSpec spec{name + "/" + std::string(entry.name), "", entry.icon, tip_of(context, entry)};
+    spec.width = spec.height = look.px(28);
+    spec.kind = entry.is_on != nullptr && entry.is_on(context) ? ButtonKind::On : ButtonKind::Plain;
+    spec.is_enabled = is_possible(context, id);
+    if (button(ui, spec)) run_action(context, id);
+    ImGui::SameLine();
+  }
+  ImGui::PopStyleVar();
+  ImGui::SetCursorScreenPos(ImVec2(min.x, min.y + size.y));
+}
+
+Gesture picture_gesture(const UiState& ui, const std::string& name, ImVec2 size) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton(name.c_str(), size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  note_widget(ui, name);
+  const ImGuiIO& io = ImGui::GetIO();
+  Gesture gesture;
+  gesture.is_hovered = ImGui::IsItemHovered();
+  gesture.pointer = ImVec2(io.MousePos.x - corner.x, io.MousePos.y - corner.y);
+  gesture.is_pressed = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  gesture.is_double_clicked = gesture.is_hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  const float slack = ui.look.px(kClickSlack);
+  for (const int which : {0, 1, 2}) {
+    if (!ImGui::IsItemActive() || !ImGui::IsMouseDragging(which, slack)) continue;
+    gesture.drag_button = which;
+    gesture.drag = io.MouseDelta;
+  }
+  gesture.is_clicked = ImGui::IsItemDeactivated() && gesture.is_hovered && ImGui::IsMouseReleased(0) &&
+                       io.MouseDragMaxDistanceSqr[0] < slack * slack;
+  if (gesture.is_hovered) gesture.wheel = io.MouseWheel;
+  return gesture;
+}
+
+std::string face_text(FaceId face) { return "Face " + std::to_string(face.value + 1); }
+
+}  // namespace netwright

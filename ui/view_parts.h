@@ -1,0 +1,46 @@
+// What both views have in common: the header with its toggles, and telling clicks from drags.
+#pragma once
+
+#include <imgui.h>
+
+#include <initializer_list>
+#include <string>
+
+#include "render/palette.h"
+#include "ui/actions.h"
+
+namespace netwright {
+
+/// Where a view lies in the window, in pixels.
+struct ViewRect {
+  ImVec2 min;
+  ImVec2 size;
+};
+
+ImU32 to_u32(const Colour& colour);
+const Palette& palette_of(const UiState& ui);
+
+/// Title, state and toggle buttons over the view's own background; height as view_header_height.
+void view_header(UiContext& context, const std::string& name, const std::string& title,
+                 const std::string& state, ImU32 back, std::initializer_list<ActionId> toggles);
+float view_header_height(const UiState& ui);
+
+/// What the mouse does on the picture of a view.
+struct Gesture {
+  bool is_hovered = false;
+  ImVec2 pointer;           ///< relative to the picture's corner
+  bool is_clicked = false;  ///< left, released without having moved
+  bool is_double_clicked = false;
+  bool is_pressed = false;  ///< left, in this frame
+  int drag_button = -1;     ///< the button that drags, -1 for none
+  ImVec2 drag;              ///< since the last frame
+  float wheel = 0;
+};
+
+/// An invisible button over the picture, named for tests; the cursor must stand at its corner.
+Gesture picture_gesture(const UiState& ui, const std::string& name, ImVec2 size);
+
+/// "Face 123", as people count: from 1.
+std::string face_text(FaceId face);
+
+}  // namespace netwright

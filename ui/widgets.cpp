@@ -1,0 +1,225 @@
+// The controls, drawn by hand where ImGui's own would not look like the rest: buttons with an icon and a
+// label, the accordion's headers, the thin slider.
+#include "ui/widgets.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "assets/icons.h"
+
+namespace netwright {
+namespace {
+
+constexpr float kIconGap = 8;
+constexpr float kButtonPadding = 10;
+
+ImVec2 text_size(ImFont* font, const std::string& text) {
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str(), text.c_str() + text.size());
+}
+
+struct ButtonColours {
+  ImU32 back;
+  ImU32 text;
+  ImU32 border;
+};
+
+ButtonColours colours_for(const Colours& c, const ButtonSpec& spec, bool is_hovered, bool is_held) {
+  if (spec.kind == ButtonKind::Accent && spec.is_enabled) {
+    return {is_hovered ? c.accent_hover : c.accent, c.on_accent, 0};
+  }
+  const ImU32 text = spec.is_enabled ? c.text : c.faint;
+  const ImU32 back = !spec.is_enabled ? 0 : (is_held ? c.tint : (is_hovered ? c.hover : 0));
+  if (spec.kind == ButtonKind::Outlined) return {back == 0 ? c.field : back, text, c.border};
+  if (spec.kind == ButtonKind::On && spec.is_enabled) return {is_held ? c.hover : c.tint, c.on_tint, 0};
+  return {back, text, 0};
+}
+
+void draw_button(const UiState& ui, const ButtonSpec& spec, ImVec2 min, ImVec2 max) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ButtonColours paint =
+      colours_for(ui.look.colours, spec, ImGui::IsItemHovered(), ImGui::IsItemActive());
+  const float radius = ui.look.px(4);
+  if (paint.back != 0) draw.AddRectFilled(min, max, paint.back, radius);
+  if (paint.border != 0) draw.AddRect(min, max, paint.border, radius);
+  const float icon_width = *spec.icon == 0 ? 0 : ImGui::CalcTextSize(spec.icon).x;
+  const float gap = icon_width > 0 && !spec.label.empty() ? ui.look.px(kIconGap) : 0;
+  const float content = icon_width + gap + ImGui::CalcTextSize(spec.label.c_str()).x;
+  const float y = std::floor((min.y + max.y - ImGui::GetTextLineHeight()) / 2);
+  const float x = std::floor((min.x + max.x - content) / 2);
+  if (icon_width > 0) draw.AddText(ImVec2(x, y), paint.text, spec.icon);
+  if (!spec.label.empty()) draw.AddText(ImVec2(x + icon_width + gap, y), paint.text, spec.label.c_str());
+}
+
+/// ImGui applies what is typed at every key and forgets it when another item takes the focus; the draft keeps
+/// it until the field is left.
+template <class Number>
+bool scalar_field(UiState& ui, const std::string& name, ImGuiDataType type, Number& value,
+                  const char* format) {
+  static_assert(sizeof(Number) == sizeof(ui.draft));
+  Number typed = value;
+  ImGui::InputScalar(("##" + name).c_str(), type, &typed, nullptr, nullptr, format);
+  note_widget(ui, name);
+  if (ImGui::IsItemActive()) ui.draft = std::bit_cast<std::uint64_t>(typed);
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
+  if (typed == value) typed = std::bit_cast<Number>(ui.draft);
+  const bool is_new = typed != value;
+  value = typed;
+  return is_new;
+}
+
+}  // namespace
+
+void note_widget(const UiState& ui, const std::string& name) {
+  if (ui.widgets == nullptr) return;
+  const bool is_enabled = (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) == 0;
+  ui.widgets->note(name, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), is_enabled});
+}
+
+void tooltip(const UiState& ui, const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.look.px(10), ui.look.px(6)));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ui.look.px(320));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+float button_width(const UiState& ui, const ButtonSpec& spec) {
+  if (spec.width > 0) return spec.width;
+  if (spec.label.empty()) return ui.look.px(32);
+  const float icon = *spec.icon == 0 ? 0 : ImGui::CalcTextSize(spec.icon).x + ui.look.px(kIconGap);
+  return std::ceil(icon + ImGui::CalcTextSize(spec.label.c_str()).x + 2 * ui.look.px(kButtonPadding));
+}
+
+bool button(const UiState& ui, const ButtonSpec& spec) {
+  const ImVec2 size(button_width(ui, spec), spec.height > 0 ? spec.height : ui.look.px(32));
+  if (!spec.is_enabled) ImGui::BeginDisabled();
+  const bool is_pressed = ImGui::InvisibleButton(spec.name.c_str(), size);
+  draw_button(ui, spec, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  note_widget(ui, spec.name);
+  if (!spec.is_enabled) ImGui::EndDisabled();
+  tooltip(ui, spec.tip);
+  return is_pressed && spec.is_enabled;
+}
+
+bool section_header(const UiState& ui, const std::string& title, const std::string& summary, bool is_open) {
+  const Look& look = ui.look;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px(36));
+  const bool is_clicked = ImGui::InvisibleButton(("section/" + title).c_str(), size);
+  note_widget(ui, "section/" + title);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  if (ImGui::IsItemHovered()) draw.AddRectFilled(min, max, look.colours.hover);
+  const float y = std::floor(min.y + (size.y - ImGui::GetTextLineHeight()) / 2);
+  draw.AddText(ImVec2(min.x + look.px(8), y), look.colours.muted,
+               is_open ? icon::kChevronDown : icon::kChevronRight);
+  draw.AddText(look.fonts.bold, look.fonts.bold->FontSize, ImVec2(min.x + look.px(32), y), look.colours.text,
+               title.c_str());
+  const float title_width = text_size(look.fonts.bold, title).x;
+  const std::string fitting = shortened(summary, size.x - look.px(64) - title_width);
+  const ImVec2 extent = text_size(look.fonts.small, fitting);
+  draw.AddText(look.fonts.small, look.fonts.small->FontSize,
+               ImVec2(max.x - look.px(16) - extent.x, std::floor(min.y + (size.y - extent.y) / 2)),
+               look.colours.muted, fitting.c_str());
+  return is_clicked;
+}
+
+float row(const UiState& ui, const char* label) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(ui.look.px(120));
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::SetNextItemWidth(width);
+  return width;
+}
+
+bool slim_slider(const UiState& ui, const std::string& name, float width, float& t, const std::string& tip) {
+  const Look& look = ui.look;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton(name.c_str(), ImVec2(width, look.px(32)));
+  note_widget(ui, name);
+  const float radius = look.px(7);
+  const float left = min.x + radius;
+  const float length = width - 2 * radius;
+  bool is_changed = false;
+  if (ImGui::IsItemActive()) {
+    const float wanted = std::clamp((ImGui::GetIO().MousePos.x - left) / length, 0.0F, 1.0F);
+    is_changed = wanted != t;
+    t = wanted;
+  }
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float y = std::floor(min.y + look.px(16));
+  const float x = left + t * length;
+  const float thick = look.px(2);
+  const Colours& c = look.colours;
+  draw.AddRectFilled(ImVec2(left, y - thick), ImVec2(left + length, y + thick), c.border, thick);
+  draw.AddRectFilled(ImVec2(left, y - thick), ImVec2(x, y + thick), c.accent, thick);
+  const bool is_hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  draw.AddCircleFilled(ImVec2(x, y), radius, is_hot ? c.accent_hover : c.accent, 24);
+  draw.AddCircle(ImVec2(x, y), radius - look.px(2), c.bar, 24, look.px(1.5F));
+  tooltip(ui, tip);
+  return is_changed;
+}
+
+bool segments(const UiState& ui, const std::string& name, float width, const std::vector<std::string>& labels,
+              int& chosen) {
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float height = ui.look.px(30);
+  const float each = std::floor(width / static_cast<float>(labels.size()));
+  bool is_changed = false;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(start, ImVec2(start.x + width, start.y + height), ui.look.colours.field, ui.look.px(4));
+  for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
+    const std::string& label = labels[static_cast<std::size_t>(i)];
+    if (i > 0) ImGui::SameLine(0, 0);
+    ButtonSpec spec{name + "/" + label, label};
+    spec.kind = i == chosen ? ButtonKind::On : ButtonKind::Plain;
+    spec.width = i + 1 == static_cast<int>(labels.size()) ? width - each * static_cast<float>(i) : each;
+    spec.height = height;
+    if (button(ui, spec) && i != chosen) {
+      chosen = i;
+      is_changed = true;
+    }
+  }
+  draw.AddRect(start, ImVec2(start.x + width, start.y + height), ui.look.colours.border, ui.look.px(4));
+  return is_changed;
+}
+
+bool number_field(UiState& ui, const std::string& name, double& value, const char* format) {
+  return scalar_field(ui, name, ImGuiDataType_Double, value, format);
+}
+
+bool number_field(UiState& ui, const std::string& name, std::uint64_t& value) {
+  return scalar_field(ui, name, ImGuiDataType_U64, value, nullptr);
+}
+
+void text_muted(const UiState& ui, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.look.colours.muted);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+void text_small(const UiState& ui, const std::string& text) {
+  ImGui::PushFont(ui.look.fonts.small);
+  text_muted(ui, text);
+  ImGui::PopFont();
+}
+
+std::string shortened(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  std::string cut = text;
+  while (!cut.empty() && ImGui::CalcTextSize((cut + "…").c_str()).x > width) {
+    // Whole characters: continuation bytes of UTF-8 go with their first byte.
+    while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0U) == 0x80U) cut.pop_back();
+    if (!cut.empty()) cut.pop_back();
+  }
+  return cut + "…";
+}
+
+}  // namespace netwright

@@ -1,0 +1,60 @@
+// The few kinds of controls the interface is made of. Every one takes a name that tests use to find it (see
+// WidgetLog), shows a tooltip, and says why when it is disabled.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ui/ui_state.h"
+
+namespace netwright {
+
+/// Notes the last item under a name; does nothing when nobody asked.
+void note_widget(const UiState& ui, const std::string& name);
+
+/// A tooltip for the last item, also when it is disabled.
+void tooltip(const UiState& ui, const std::string& text);
+
+enum class ButtonKind { Plain, Accent, Outlined, On };
+
+struct ButtonSpec {
+  std::string name;       ///< for tests and as ImGui's id
+  std::string label;      ///< may be empty: icon only
+  const char* icon = "";  ///< may be empty: label only
+  std::string tip = {};
+  ButtonKind kind = ButtonKind::Plain;
+  bool is_enabled = true;
+  float width = 0;   ///< 0: as wide as the content
+  float height = 0;  ///< 0: the usual 32
+};
+
+/// True when pressed.
+bool button(const UiState& ui, const ButtonSpec& spec);
+/// How wide the button would be.
+float button_width(const UiState& ui, const ButtonSpec& spec);
+
+/// A header of the side panel's accordion: chevron, title, summary at the right. True when clicked.
+bool section_header(const UiState& ui, const std::string& title, const std::string& summary, bool is_open);
+
+/// "Seed      [ field" : the label at the left, the cursor placed for a control; returns the control's width.
+float row(const UiState& ui, const char* label);
+
+/// A slider with a thin track; t is 0…1. True while it is changed.
+bool slim_slider(const UiState& ui, const std::string& name, float width, float& t, const std::string& tip);
+
+/// Choices side by side, one of them on. True when another one was picked.
+bool segments(const UiState& ui, const std::string& name, float width, const std::vector<std::string>& labels,
+              int& chosen);
+
+/// A field for a number, as wide as SetNextItemWidth said. True when a new one was entered: on Enter, Tab or
+/// a click elsewhere, not at every key.
+bool number_field(UiState& ui, const std::string& name, double& value, const char* format);
+bool number_field(UiState& ui, const std::string& name, std::uint64_t& value);
+
+void text_muted(const UiState& ui, const std::string& text);
+void text_small(const UiState& ui, const std::string& text);
+/// Text that cannot grow past `width`; the end is cut with an ellipsis.
+std::string shortened(const std::string& text, float width);
+
+}  // namespace netwright

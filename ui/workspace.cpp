@@ -1,0 +1,175 @@
+// The fixed layout: menu bar, toolbar, slim progress bar, side panel, two views with a splitter, status bar.
+#include "ui/workspace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/frame_parts.h"
+#include "ui/messages.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+constexpr float kToolbarHeight = 48;
+constexpr float kProgressHeight = 32;
+constexpr float kStatusHeight = 30;
+constexpr float kSideWidth = 280;
+constexpr float kSplitterWidth = 6;
+constexpr int kEscapeKey = 256;
+constexpr int kEnterKey = 257;
+constexpr int kF1Key = 290;
+
+constexpr auto kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                        ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+/// A part of the frame: a window without anything of a window, with a line along one of its sides.
+template <class Content>
+void area(const UiState& ui, const char* name, ImVec2 min, ImVec2 size, ImVec2 padding, bool can_scroll,
+          const Content& content) {
+  ImGui::SetNextWindowPos(min);
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  const auto scrolling = can_scroll ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+  const bool is_visible = ImGui::Begin(name, nullptr, kFixed | scrolling);
+  ImGui::PopStyleVar();
+  if (is_visible) content();
+  ImGui::End();
+  (void)ui;
+}
+
+void line_at_bottom(const UiState& ui, ImVec2 min, ImVec2 size) {
+  const float y = min.y + size.y - 0.5F;
+  ImGui::GetForegroundDrawList();
+  ImGui::GetWindowDrawList()->AddLine(ImVec2(min.x, y), ImVec2(min.x + size.x, y), ui.look.colours.border);
+}
+
+}  // namespace
+
+Workspace::Workspace() = default;
+Workspace::~Workspace() = default;
+
+bool Workspace::update_look(UiState& ui, double content_scale) {
+  const int percent = ui.settings.scale_percent;
+  const float scale = percent == 0 ? std::clamp(static_cast<float>(content_scale), 1.0F, 3.0F)
+                                   : static_cast<float>(percent) / 100;
+  const bool is_dark = ui.settings.theme == ThemeChoice::Dark ||
+                       (ui.settings.theme == ThemeChoice::System && ui.is_desktop_dark);
+  const bool needs_fonts = ui.look.fonts.text == nullptr || scale != ui.look.scale;
+  if (!needs_fonts && is_dark == ui.look.colours.is_dark) return false;
+  ui.look.colours = colours_of(is_dark);
+  ui.look.scale = scale;
+  if (needs_fonts) ui.look.fonts = load_fonts(scale);
+  apply_style(ui.look);
+  return needs_fonts;
+}
+
+void Workspace::draw_splitter(UiContext& context, ImVec2 min, ImVec2 size) {
+  UiState& ui = context.ui;
+  const float width = ui.look.px(kSplitterWidth);
+  const float x = min.x + std::floor((size.x - width) * ui.settings.splitter);
+  area(ui, "##splitter", ImVec2(x, min.y), ImVec2(width, size.y), ImVec2(0, 0), false, [&] {
+    ImGui::InvisibleButton("splitter", ImVec2(width, size.y));
+    note_widget(ui, "splitter");
+    const bool is_hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (is_hot) {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+      ui.hint = "Drag shares the space · double-click halves it";
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 1)) {
+      const float wanted = (ImGui::GetIO().MousePos.x - width / 2 - min.x) / std::max(size.x - width, 1.0F);
+      ui.settings.splitter = std::clamp(wanted, 0.15F, 0.85F);
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) ui.settings.splitter = 0.5F;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImVec2 middle(x + width / 2, min.y + size.y / 2);
+    const float half = ui.look.px(16);
+    draw.AddRectFilled(ImVec2(middle.x - ui.look.px(1.5F), middle.y - half),
+                       ImVec2(middle.x + ui.look.px(1.5F), middle.y + half),
+                       is_hot ? ui.look.colours.accent : ui.look.colours.muted, ui.look.px(2));
+  });
+}
+
+void Workspace::draw_views(UiContext& context, ImVec2 min, ImVec2 size) {
+  UiState& ui = context.ui;
+  if (const float bar = error_bar_height(ui, size.x); bar > 0) {
+    area(ui, "##error", min, ImVec2(size.x, bar), ImVec2(0, 0), false, [&] { draw_error_bar(ui); });
+    min.y += bar;
+    size.y -= bar;
+  }
+  if (!context.session.has_model()) {
+    area(ui, "##empty", min, size, ImVec2(0, 0), false, [&] { empty_state_.draw(context, renderers_); });
+    return;
+  }
+  const float splitter = ui.look.px(kSplitterWidth);
+  const float left = std::floor((size.x - splitter) * ui.settings.splitter);
+  area(ui, "##model", min, ImVec2(left, size.y), ImVec2(0, 0), false,
+       [&] { model_view_.draw(context, scene_, renderers_); });
+  area(ui, "##net", ImVec2(min.x + left + splitter, min.y), ImVec2(size.x - left - splitter, size.y),
+       ImVec2(0, 0), false, [&] { net_view_.draw(context, scene_, renderers_); });
+  draw_splitter(context, min, size);
+}
+
+void Workspace::draw(Session& session, UiState& ui) {
+  UiContext context{session, ui};
+  if (ui.widgets != nullptr) ui.widgets->begin_frame();
+  const FaceId hovered_before = ui.hovered;
+  take_messages(context);
+  ui.centre_now = std::exchange(ui.wants_centre, FaceId());
+  scene_.update(context, renderers_);
+  ui.hint.clear();
+  ui.hovered = FaceId();
+  if (session.chore() == nullptr) ui.chore_since = ui.now;
+
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  float y = draw_menu_bar(context);
+  const ImVec2 bar(window.x, ui.look.px(kToolbarHeight));
+  area(ui, "##toolbar", ImVec2(0, y), bar, ImVec2(ui.look.px(8), ui.look.px(8)), false, [&] {
+    draw_toolbar(context);
+    line_at_bottom(ui, ImVec2(0, y), bar);
+  });
+  y += bar.y;
+  if (has_progress(context)) {
+    const ImVec2 size(window.x, ui.look.px(kProgressHeight));
+    area(ui, "##progress", ImVec2(0, y), size, ImVec2(0, 0), false, [&] {
+      draw_progress(context);
+      line_at_bottom(ui, ImVec2(0, y), size);
+    });
+    y += size.y;
+  }
+  const float bottom = window.y - ui.look.px(kStatusHeight);
+  const float side = ui.settings.is_side_open ? ui.look.px(kSideWidth) : 0;
+  if (side > 0) {
+    area(ui, "##side", ImVec2(0, y), ImVec2(side, bottom - y), ImVec2(0, 0), true,
+         [&] { side_panel(context); });
+  }
+  draw_views(context, ImVec2(side + (side > 0 ? 1.0F : 0.0F), y),
+             ImVec2(window.x - side - (side > 0 ? 1.0F : 0.0F), bottom - y));
+  area(ui, "##status", ImVec2(0, bottom), ImVec2(window.x, window.y - bottom), ImVec2(0, 0), false, [&] {
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(0, bottom), ImVec2(window.x, bottom), ui.look.colours.border);
+    draw_status_bar(context);
+  });
+  draw_toasts(ui, ImVec2(window.x, bottom));
+  dialogs_.draw(context);
+  if (ui.hovered != hovered_before) ui.frames_wanted = std::max(ui.frames_wanted, 2);
+}
+
+void Workspace::key(Session& session, UiState& ui, int key_number, int modifiers) {
+  UiContext context{session, ui};
+  if (ImGui::GetIO().WantTextInput) return;
+  if (dialogs_.is_open()) {
+    if (key_number == kEscapeKey) dialogs_.cancel();
+    if (key_number == kEnterKey) dialogs_.accept();
+    return;
+  }
+  if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  run_shortcut(context, {key_number, modifiers});
+}
+
+void Workspace::character(Session& session, UiState& ui, char32_t code_point) {
+  if (code_point == U'?') key(session, ui, kF1Key, 0);
+}
+
+}  // namespace netwright
