@@ -92,9 +92,10 @@ void SearchRun::set_speed(double moves_per_second) {
 
 void SearchRun::take_figures(const Snapshot& snapshot) {
   figures_.overlaps = static_cast<int>(snapshot.overlaps.size());
+  // The history is that of the part being worked on; one with several parts starts with the overlaps of all.
   if (n_pictures_ == 0) figures_.overlaps_at_start = figures_.overlaps;
-  if (!snapshot.history.empty())
-    figures_.overlaps_at_start = std::max(figures_.overlaps_at_start, snapshot.history.front());
+  if (!snapshot.history.empty() && dual_->mesh().n_components() == 1)
+    figures_.overlaps_at_start = snapshot.history.front();
   figures_.best_overlaps = snapshot.best_overlaps;
   figures_.moves = snapshot.moves;
   figures_.restarts = snapshot.restarts;
