@@ -44,11 +44,7 @@ int run_verify(const VerifyCommand& command) {
 int run_info(const InfoCommand& command) {
   PolygonSoup soup = read_soup(command.model);
   const std::string name = soup.name;
-  std::vector<std::string> notices = soup.notices;
-  PreparedModel model = prepare(std::move(soup));
-  for (const std::string& notice : notices) {
-    model.report.lines.push_back({MeshReport::Line::Kind::Notice, notice});
-  }
+  const PreparedModel model = prepare(std::move(soup));
   if (command.is_json) {
     print(to_text(info_json(model.report, model.refusal, command), {.is_indented = true}));
     return model.is_fit() ? kGood : kNotGood;

@@ -3,9 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <limits>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/mesh/read.h"
+#include "core/sheet/write.h"
 
 namespace netwright {
 namespace {
@@ -15,6 +19,33 @@ constexpr const char* kFooter =
     "2 not within the limits, 130 cancelled; files are written only with 0. Of verify: 0 a net, 2 not one,\n"
     "1 unreadable. Of info: 0 fit to unfold, 2 needs repair, 1 unreadable.";
 
+std::string model_help() {
+  std::string text = "Model file:";
+  for (const ModelFormat& format : model_formats()) {
+    for (const std::string_view extension : format.extensions) text += " ." + std::string(extension);
+  }
+  return text;
+}
+
+std::string output_help() {
+  std::string text = "File to write, its extension chooses:";
+  for (const ExportFormat& format : export_formats()) text += " " + std::string(format.extension);
+  return text + "; repeatable";
+}
+
+/// A number within limits, refused in plain words.
+template <class Number>
+CLI::Validator within(Number least, Number most, const std::string& words) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        Number value{};
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool is_number = error == std::errc() && end == text.data() + text.size();
+        return is_number && value >= least && value <= most ? std::string() : "it must be " + words;
+      },
+      "");
+}
+
 class Reader {
  public:
   Reader() {
@@ -22,7 +53,6 @@ class Reader {
     app_.set_version_flag("--version", std::string("netwright-cli ") + NETWRIGHT_VERSION,
                           "Print the version and exit");
     app_.set_help_flag("-h,--help", "Print this help and exit");
-    app_.set_help_all_flag("--help-all", "Print the help of all commands and exit");
     app_.require_subcommand(1);
     app_.footer(kFooter);
     add_unfold();
@@ -35,6 +65,9 @@ class Reader {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& stop) {
       if (stop.get_exit_code() == 0) return PrintCommand{text_of(stop)};
+      if (app_.get_subcommands().empty()) {
+        throw Error(ErrorKind::Usage, "Say what to do: unfold, verify or info; see netwright-cli --help.");
+      }
       throw Error(ErrorKind::Usage, sentence(stop.what()));
     }
     if (verify_app_->parsed()) return verify_;
@@ -48,56 +81,56 @@ class Reader {
   void add_unfold() {
     CLI::App& app =
         *app_.add_subcommand("unfold", "Unfold a 3-D model into one piece of paper without overlaps");
-    app.add_option("MODEL", unfold_.model, "Model file: .obj .gltf .glb .stl .ply .off .3mf")->required();
-    app.add_option("-o,--output", outputs_,
-                   "File to write, its extension chooses: .pdf .svg .png .fold; repeatable")
+    app.add_option("MODEL", unfold_.model, model_help())->required()->type_name("");
+    app.add_option("-o,--output", outputs_, output_help())
         ->type_name("OUT")
         ->allow_extra_args(false)
         ->take_all();
     app.add_option("--seed", unfold_.seed, "Where the search starts: the same seed gives the same net")
         ->type_name("N")
+        ->check(
+            within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max(), "a whole number, 0 or more"))
         ->capture_default_str();
     app.add_option("--time-limit", unfold_.time_limit_s, "Longest search in seconds, 0 = none")
         ->type_name("S")
-        ->check(CLI::Range(0.0, 1e9).description(""))
+        ->check(within(0.0, 1e9, "a number of seconds, 0 or more"))
         ->capture_default_str();
     app.add_option("--streams", unfold_.streams, "Independent searches; part of what decides the net")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024).description(""))
+        ->check(within(1, 1024, "a whole number from 1 to 1024"))
         ->capture_default_str();
     app.add_option("--threads", unfold_.threads,
                    "Threads that run them, 0 = by the machine; never decides the net")
         ->type_name("N")
-        ->check(CLI::Range(0, 1024).description(""))
+        ->check(within(0, 1024, "a whole number from 0 to 1024"))
         ->capture_default_str();
     app.add_option("--root", unfold_.root,
                    "Face that the net starts from, by its number in the file counted from 1")
         ->type_name("FACE")
-        ->check(CLI::Range(1, 2000000000).description(""));
+        ->check(within(1, 2000000000, "the number of a face, counted from 1"));
     app.add_option("--paper", unfold_.paper.format, "Paper format: A4, A3, Letter …")
         ->type_name("NAME")
         ->capture_default_str();
     height_ = app.add_option("--height", unfold_.size.height_mm,
                              "Height of the finished model in mm, over as many pages as it takes")
                   ->type_name("MM")
-                  ->check(CLI::Range(1e-3, 1e6).description(""));
+                  ->check(within(1e-3, 1e6, "a number of millimetres above 0"));
     app.add_flag("--fit-page", is_fit_page_, "Print as large as one page allows (this is the default)")
         ->excludes(height_);
     app.add_flag("--json", unfold_.is_json, "Print the result as one JSON object");
   }
 
   void add_verify() {
-    verify_app_ = app_.add_subcommand(
-        "verify",
-        "Prove that a .fold file is a net: one piece per component, true to the model, no overlaps");
-    verify_app_->add_option("FILE", verify_.file, "Net as written by unfold: .fold")->required();
+    verify_app_ = app_.add_subcommand("verify", "Prove that a .fold file is a net");
+    verify_app_->add_option("FILE", verify_.file, "Net as written by unfold: .fold")
+        ->required()
+        ->type_name("");
     verify_app_->add_flag("--json", verify_.is_json, "Print the result as one JSON object");
   }
 
   void add_info() {
     info_app_ = app_.add_subcommand("info", "Tell what a model file holds and whether it can be unfolded");
-    info_app_->add_option("MODEL", info_.model, "Model file: .obj .gltf .glb .stl .ply .off .3mf")
-        ->required();
+    info_app_->add_option("MODEL", info_.model, model_help())->required()->type_name("");
     info_app_->add_flag("--json", info_.is_json, "Print the result as one JSON object");
   }
 

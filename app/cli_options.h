@@ -16,7 +16,7 @@ namespace netwright {
 struct UnfoldCommand {
   std::filesystem::path model;
   std::vector<std::filesystem::path> outputs;
-  std::uint64_t seed = 0;
+  std::int64_t seed = 0;     ///< 0 or more
   double time_limit_s = 60;  ///< 0 = none
   int streams = 2;
   int threads = 0;  ///< 0 = as many as there are streams and cores

@@ -72,7 +72,7 @@ Json unfold_json(const UnfoldOutcome& outcome, const UnfoldCommand& command) {
   json.set("pieces", result.net.n_pieces);
   json.set("overlaps", static_cast<std::int64_t>(result.overlaps.size()));
   json.set("verified", result.is_proved);
-  json.set("seed", static_cast<std::int64_t>(command.seed));
+  json.set("seed", command.seed);
   json.set("iterations", result.iterations);
   json.set("restarts", result.restarts);
   json.set("cpu_seconds", result.cpu_seconds);

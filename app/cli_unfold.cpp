@@ -58,10 +58,8 @@ struct Model {
 };
 
 Model read_model(const fs::path& path) {
-  PolygonSoup soup = read_soup(path);
+  const PreparedModel prepared = prepare(read_soup(path));
   Model model;
-  model.notices = soup.notices;
-  const PreparedModel prepared = prepare(std::move(soup));
   if (!prepared.is_fit()) throw Error(ErrorKind::Unfit, prepared.refusal);
   for (const MeshReport::Line& line : prepared.report.lines) {
     if (line.kind == MeshReport::Line::Kind::Notice) model.notices.push_back(line.text);
@@ -72,7 +70,7 @@ Model read_model(const fs::path& path) {
 
 SolveOptions solve_options(const UnfoldCommand& command, const Mesh& mesh) {
   SolveOptions options;
-  options.seed = command.seed;
+  options.seed = static_cast<std::uint64_t>(command.seed);
   options.streams = command.streams;
   options.threads = command.threads;
   if (command.root > static_cast<int>(mesh.n_faces())) {
@@ -88,7 +86,7 @@ SolveOptions solve_options(const UnfoldCommand& command, const Mesh& mesh) {
 
 /// All files or none: when one cannot be written, those that this run added before it go again.
 std::vector<fs::path> write_all(const UnfoldCommand& command, const Net& net, const PageLayout& layout) {
-  const SheetInfo info{"", true, command.seed};
+  const SheetInfo info{"", true, static_cast<std::uint64_t>(command.seed)};
   std::vector<fs::path> written;
   std::vector<fs::path> added;
   try {

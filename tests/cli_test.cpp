@@ -252,10 +252,14 @@ TEST_F(CommandLine, RefusesWhatCannotWorkBeforeItSearches) {
   expect_refusal(run({"unfold", model, "-o", at("net")}), ".pdf");
   expect_refusal(run({"unfold", model, "-o", at("nowhere/net.pdf")}), "does not exist");
   expect_refusal(run({"unfold", model, "--streams", "0"}), "--streams");
+  for (const char* seed : {"-1", "1.5", "99999999999999999999", "x"}) {
+    expect_refusal(run({"unfold", model, "--seed", seed}), "--seed");
+  }
+  expect_refusal(run({"unfold", model, "--time-limit", "nan"}), "--time-limit");
   expect_refusal(run({"unfold", model, "--fast"}), "--fast");
   expect_refusal(run({"unfold"}), "MODEL");
-  expect_refusal(run({"fold", model}), "--help");
-  expect_refusal(run({}), "--help");
+  expect_refusal(run({"fold", model}), "unfold, verify or info");
+  expect_refusal(run({}), "unfold, verify or info");
   EXPECT_EQ(files(), (Strings{"endless.obj"}));
 }
 
