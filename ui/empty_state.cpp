@@ -97,7 +97,7 @@ void EmptyState::paint(const UiState& ui, Picture& picture, MeshRenderer& mesh, 
   camera.set_size(size);
   camera.set_up_axis(picture.dual->mesh().up_axis());
   camera.reset_direction();
-  camera.frame(picture.dual->mesh().box());
+  frame_model(camera, picture.dual->mesh(), 0.8);
   PictureKey key;
   key.add(camera).add(ui.look.colours.is_dark);
   picture.viewport.redraw(size, key, [&] {
@@ -143,14 +143,13 @@ bool EmptyState::card(UiContext& context, std::size_t index, ImVec2 size, const 
   return is_pressed;
 }
 
-void EmptyState::sample_cards(UiContext& context, const Renderers& renderers) {
+void EmptyState::sample_cards(UiContext& context, const Renderers& renderers, float width) {
   UiState& ui = context.ui;
   load_one(ui);
   while (renderers_.size() < pictures_.size())
     renderers_.push_back(std::make_unique<MeshRenderer>(renderers.lines));
   const float gap = ui.look.px(12);
   const ImVec2 start = ImGui::GetCursorScreenPos();
-  const float width = std::min(ImGui::GetContentRegionAvail().x, ui.look.px(kWidest));
   constexpr std::size_t kColumns = 3;
   const ImVec2 size(std::floor((width - gap * (kColumns - 1)) / kColumns), ui.look.px(148));
   for (std::size_t i = 0; i < samples().size(); ++i) {
@@ -193,7 +192,7 @@ void EmptyState::draw(UiContext& context, const Renderers& renderers) {
   y += look.px(32);
   ImGui::SetCursorScreenPos(ImVec2(left, y));
   ImGui::PushClipRect(min, ImVec2(min.x + room.x, min.y + room.y), true);
-  sample_cards(context, renderers);
+  sample_cards(context, renderers, width);
   y += 2 * look.px(148) + look.px(24);
   ImGui::SetCursorScreenPos(ImVec2(left, y));
   if (has_recent) recent_files(context);

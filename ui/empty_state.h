@@ -22,7 +22,7 @@ class EmptyState {
     Viewport viewport;
   };
   void drop_target(UiContext& context, ImVec2 size);
-  void sample_cards(UiContext& context, const Renderers& renderers);
+  void sample_cards(UiContext& context, const Renderers& renderers, float width);
   bool card(UiContext& context, std::size_t index, ImVec2 size, const Renderers& renderers);
   void load_one(UiState& ui);
   void paint(const UiState& ui, Picture& picture, MeshRenderer& mesh, const Renderers& renderers,

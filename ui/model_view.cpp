@@ -8,6 +8,11 @@
 #include "ui/widgets.h"
 
 namespace netwright {
+namespace {
+
+constexpr double kShareOfView = 0.78;  ///< what a framed model fills; some room stays for turning it
+
+}  // namespace
 
 void ModelView::follow_wishes(UiContext& context, const Scene& scene) {
   UiState& ui = context.ui;
@@ -18,7 +23,7 @@ void ModelView::follow_wishes(UiContext& context, const Scene& scene) {
     camera_.set_up_axis(mesh.up_axis());
     camera_.reset_direction();
   }
-  if (is_new || ui.wants_frame_model) camera_.frame(mesh.box());
+  if (is_new || ui.wants_frame_model) frame_model(camera_, mesh, kShareOfView);
   model_version_ = scene.model_version();
   ui.wants_home = ui.wants_frame_model = false;
   if (ui.centre_now.is_valid()) camera_.centre_on(mesh.centre(ui.centre_now));

@@ -95,6 +95,26 @@ bool is_listed(const LegendItem& item, const UiState& ui, bool has_overlaps) {
   return true;
 }
 
+float swatch_width(const UiState& ui, const LegendItem& item) {
+  const std::string_view label = item.label;
+  return ui.look.px(label == "root" || label == "overlap" ? 16 : 32);
+}
+
+/// Between two entries: less where the view is narrow, so that all of them stay.
+float legend_gap(const UiState& ui, bool has_overlaps, float width) {
+  float used = ui.look.px(32);
+  int entries = 0;
+  ImFont* font = ui.look.fonts.small;
+  for (const LegendItem& item : kLegend) {
+    if (!is_listed(item, ui, has_overlaps)) continue;
+    used += swatch_width(ui, item) + ui.look.px(6) +
+            font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, item.label).x;
+    ++entries;
+  }
+  const float each = (width - used) / static_cast<float>(std::max(entries - 1, 1));
+  return std::clamp(each, ui.look.px(4), ui.look.px(16));
+}
+
 }  // namespace
 
 void NetView::follow_net(UiContext& context, const Scene& scene) {
@@ -165,23 +185,21 @@ void NetView::legend(const UiContext& context, const Scene& scene) {
   draw.AddRectFilled(min, max, to_u32(colours.desk));
   if (scene.net() == nullptr) return;
   ImFont* font = look.fonts.small;
+  const bool has_overlaps = !scene.shown()->overlaps.empty();
+  const float gap = legend_gap(ui, has_overlaps, size.x);
   float x = min.x + look.px(16);
   const float middle = min.y + size.y / 2;
   for (const LegendItem& item : kLegend) {
-    if (!is_listed(item, ui, !scene.shown()->overlaps.empty())) continue;
-    const bool is_square =
-        std::string_view(item.label) == "root" || std::string_view(item.label) == "overlap";
-    const float width = look.px(is_square ? 16 : 32);
+    if (!is_listed(item, ui, has_overlaps)) continue;
     const ImVec2 extent = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, item.label);
-    if (x + width + look.px(6) + extent.x > max.x - look.px(8)) break;
     const ImVec2 corner(x, std::floor(middle - look.px(8)));
-    const ImVec2 end(x + width, corner.y + look.px(16));
+    const ImVec2 end(x + swatch_width(ui, item), corner.y + look.px(16));
     draw_swatch(draw, colours, corner, end, look.scale);
     item.draw(draw, colours, corner, end, look.scale);
-    x += width + look.px(6);
+    x = end.x + look.px(6);
     draw.AddText(font, font->FontSize, ImVec2(x, std::floor(middle - extent.y / 2)), look.colours.text,
                  item.label);
-    x += extent.x + look.px(16);
+    x += extent.x + gap;
   }
 }
 

@@ -71,11 +71,15 @@ void draw_curve(const UiState& ui, const Frame& frame, const std::vector<int>& h
       last = history[i];
     }
     draw.AddRectFilled(ImVec2(x, y), ImVec2(right, frame.max.y), area);
-    corners.emplace_back(right, y);
-    if (peak != last) corners.emplace_back(right, frame.y(peak));
+    const float next = frame.y(last);
+    // Corners on one line would make the polyline's joints swell.
+    if (peak != last || next != y || i == history.size()) {
+      corners.emplace_back(right, y);
+      if (peak > last && frame.y(peak) != y) corners.emplace_back(right, frame.y(peak));
+      if (next != corners.back().y) corners.emplace_back(right, next);
+    }
     x = right;
-    y = frame.y(last);
-    corners.emplace_back(x, y);
+    y = next;
   }
   draw.AddPolyline(corners.data(), static_cast<int>(corners.size()), line, 0, ui.look.px(1.5F));
   draw.AddCircleFilled(ImVec2(x, y), ui.look.px(4), history.back() == 0 ? ui.look.colours.good : line, 16);

@@ -23,29 +23,33 @@ constexpr ImU32 opaque(unsigned hex) {
 constexpr std::array<ImWchar, 13> kTextRange{0x20,   0x24F,  0x370,  0x3FF,  0x400,  0x4FF, 0x2000,
                                              0x206F, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
 
-ImFont* add_font(const char* name, float size_px, float scale) {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  const auto add = [&](const char* file, const ImFontConfig& config, const ImWchar* range) {
-    const auto bytes = asset(file);
-    void* data =
-        const_cast<std::byte*>(bytes.data());  // the atlas reads it only: FontDataOwnedByAtlas is off
-    return atlas.AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px * scale, &config, range);
-  };
-  ImFontConfig text;
-  text.FontDataOwnedByAtlas = false;
-  text.OversampleH = 2;
-  text.PixelSnapH = true;
-  ImFont* font = add(name, text, kTextRange.data());
-  ImFontConfig icons = text;
-  icons.MergeMode = true;
-  icons.OversampleH = 1;
-  icons.GlyphOffset.y = std::floor(size_px * scale * 0.14F + 0.5F);
-  icons.GlyphMinAdvanceX = size_px * scale * 1.2F;
+/// Dear ImGui measures a font from ascender to descender; designers mean the em. Inter's ratio, from its
+/// metrics.
+constexpr float kInterHeightPerEm = 1.21F;
+
+void add_icons(float size_px) {
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  config.MergeMode = true;
+  config.OversampleH = 2;
+  config.PixelSnapH = true;
+  config.GlyphOffset.y = std::floor(size_px * 0.14F + 0.5F);
+  config.GlyphMinAdvanceX = size_px * 1.2F;
   const auto bytes = asset(icon::kFontAsset);
+  void* data = const_cast<std::byte*>(bytes.data());  // the atlas only reads it: FontDataOwnedByAtlas is off
+  ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px * 1.2F, &config,
+                                             icon::kFontRange.data());
+}
+
+ImFont* add_font(const char* name, float em_px) {
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  config.OversampleH = 3;
+  const auto bytes = asset(name);
   void* data = const_cast<std::byte*>(bytes.data());
-  atlas.AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px * scale * 1.2F, &icons,
-                             icon::kFontRange.data());
-  return font;
+  return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()),
+                                                    std::round(em_px * kInterHeightPerEm), &config,
+                                                    kTextRange.data());
 }
 
 /// Inter's figures have widths of their own; in a status bar that counts they would make the words dance.
@@ -158,10 +162,11 @@ Fonts load_fonts(float scale) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
   Fonts fonts;
-  fonts.text = add_font("assets/fonts/Inter-Regular.otf", 15, scale);
-  fonts.bold = add_font("assets/fonts/Inter-SemiBold.otf", 15, scale);
-  fonts.small = add_font("assets/fonts/Inter-Regular.otf", 13, scale);
-  fonts.title = add_font("assets/fonts/Inter-SemiBold.otf", 22, scale);
+  fonts.text = add_font("assets/fonts/Inter-Regular.otf", 15 * scale);
+  add_icons(15 * scale);
+  fonts.bold = add_font("assets/fonts/Inter-SemiBold.otf", 15 * scale);
+  fonts.small = add_font("assets/fonts/Inter-Regular.otf", 13 * scale);
+  fonts.title = add_font("assets/fonts/Inter-SemiBold.otf", 20 * scale);
   atlas.Build();
   for (ImFont* font : {fonts.text, fonts.bold, fonts.small, fonts.title}) make_figures_tabular(*font);
   return fonts;

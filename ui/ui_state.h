@@ -37,7 +37,7 @@ struct UiState {
   FaceId selected;         ///< clicked
   std::string hint;        ///< what the thing under the pointer does; rebuilt every frame
 
-  bool is_open[3] = {false, true, false};  ///< by Section
+  bool is_open[3] = {false, true, true};  ///< by Section
   Dialog dialog = Dialog::None;
   std::string export_extension = "pdf";  ///< preset of the export dialog
 

@@ -1,6 +1,7 @@
 // Headers of the views and the reading of mouse gestures from ImGui's state.
 #include "ui/view_parts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "assets/icons.h"
@@ -77,6 +78,23 @@ Gesture picture_gesture(const UiState& ui, const std::string& name, ImVec2 size)
                        io.MouseDragMaxDistanceSqr[0] < slack * slack;
   if (gesture.is_hovered) gesture.wheel = io.MouseWheel;
   return gesture;
+}
+
+void frame_model(OrbitCamera& camera, const Mesh& mesh, double share) {
+  camera.frame(mesh.box());
+  // Perspective makes each step an approximation of the next; three are enough for the eye.
+  for (int round = 0; round < 3; ++round) {
+    Box2 seen;
+    for (const VertexId v : mesh.vertices()) {
+      const glm::dvec3 pixel = camera.project(mesh.position(v));
+      seen.add(glm::dvec2(pixel.x, pixel.y));
+    }
+    if (seen.is_empty() || seen.diagonal() < 1) return;
+    const glm::dvec2 middle = camera.size_px() * 0.5;
+    camera.pan(middle - seen.centre());
+    const glm::dvec2 room = camera.size_px() * share / glm::max(seen.size(), glm::dvec2(1));
+    camera.zoom(std::min(room.x, room.y), middle);
+  }
 }
 
 std::string face_text(FaceId face) { return "Face " + std::to_string(face.value + 1); }

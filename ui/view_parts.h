@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "core/mesh/mesh.h"
+#include "render/camera.h"
 #include "render/palette.h"
 #include "ui/actions.h"
 
@@ -39,6 +41,9 @@ struct Gesture {
 
 /// An invisible button over the picture, named for tests; the cursor must stand at its corner.
 Gesture picture_gesture(const UiState& ui, const std::string& name, ImVec2 size);
+
+/// Turns the camera's distance and centre so that the model fills this share of the view as it is seen now.
+void frame_model(OrbitCamera& camera, const Mesh& mesh, double share);
 
 /// "Face 123", as people count: from 1.
 std::string face_text(FaceId face);

@@ -16,7 +16,7 @@ constexpr float kToolbarHeight = 48;
 constexpr float kProgressHeight = 32;
 constexpr float kStatusHeight = 30;
 constexpr float kSideWidth = 280;
-constexpr float kSplitterWidth = 6;
+constexpr float kSplitterWidth = 5;
 constexpr int kEscapeKey = 256;
 constexpr int kEnterKey = 257;
 constexpr int kF1Key = 290;
@@ -25,9 +25,9 @@ constexpr auto kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize 
                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                         ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-/// A part of the frame: a window without anything of a window, with a line along one of its sides.
+/// A part of the frame: a window without anything of a window.
 template <class Content>
-void area(const UiState& ui, const char* name, ImVec2 min, ImVec2 size, ImVec2 padding, bool can_scroll,
+void area(const char* name, ImVec2 min, ImVec2 size, ImVec2 padding, bool can_scroll,
           const Content& content) {
   ImGui::SetNextWindowPos(min);
   ImGui::SetNextWindowSize(size);
@@ -37,13 +37,14 @@ void area(const UiState& ui, const char* name, ImVec2 min, ImVec2 size, ImVec2 p
   ImGui::PopStyleVar();
   if (is_visible) content();
   ImGui::End();
-  (void)ui;
 }
 
 void line_at_bottom(const UiState& ui, ImVec2 min, ImVec2 size) {
   const float y = min.y + size.y - 0.5F;
-  ImGui::GetForegroundDrawList();
-  ImGui::GetWindowDrawList()->AddLine(ImVec2(min.x, y), ImVec2(min.x + size.x, y), ui.look.colours.border);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.PushClipRectFullScreen();
+  draw.AddLine(ImVec2(min.x, y), ImVec2(min.x + size.x, y), ui.look.colours.border);
+  draw.PopClipRect();
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ void Workspace::draw_splitter(UiContext& context, ImVec2 min, ImVec2 size) {
   UiState& ui = context.ui;
   const float width = ui.look.px(kSplitterWidth);
   const float x = min.x + std::floor((size.x - width) * ui.settings.splitter);
-  area(ui, "##splitter", ImVec2(x, min.y), ImVec2(width, size.y), ImVec2(0, 0), false, [&] {
+  area("##splitter", ImVec2(x, min.y), ImVec2(width, size.y), ImVec2(0, 0), false, [&] {
     ImGui::InvisibleButton("splitter", ImVec2(width, size.y));
     note_widget(ui, "splitter");
     const bool is_hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -95,19 +96,19 @@ void Workspace::draw_splitter(UiContext& context, ImVec2 min, ImVec2 size) {
 void Workspace::draw_views(UiContext& context, ImVec2 min, ImVec2 size) {
   UiState& ui = context.ui;
   if (const float bar = error_bar_height(ui, size.x); bar > 0) {
-    area(ui, "##error", min, ImVec2(size.x, bar), ImVec2(0, 0), false, [&] { draw_error_bar(ui); });
+    area("##error", min, ImVec2(size.x, bar), ImVec2(0, 0), false, [&] { draw_error_bar(ui); });
     min.y += bar;
     size.y -= bar;
   }
   if (!context.session.has_model()) {
-    area(ui, "##empty", min, size, ImVec2(0, 0), false, [&] { empty_state_.draw(context, renderers_); });
+    area("##empty", min, size, ImVec2(0, 0), false, [&] { empty_state_.draw(context, renderers_); });
     return;
   }
   const float splitter = ui.look.px(kSplitterWidth);
   const float left = std::floor((size.x - splitter) * ui.settings.splitter);
-  area(ui, "##model", min, ImVec2(left, size.y), ImVec2(0, 0), false,
+  area("##model", min, ImVec2(left, size.y), ImVec2(0, 0), false,
        [&] { model_view_.draw(context, scene_, renderers_); });
-  area(ui, "##net", ImVec2(min.x + left + splitter, min.y), ImVec2(size.x - left - splitter, size.y),
+  area("##net", ImVec2(min.x + left + splitter, min.y), ImVec2(size.x - left - splitter, size.y),
        ImVec2(0, 0), false, [&] { net_view_.draw(context, scene_, renderers_); });
   draw_splitter(context, min, size);
 }
@@ -126,14 +127,14 @@ void Workspace::draw(Session& session, UiState& ui) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   float y = draw_menu_bar(context);
   const ImVec2 bar(window.x, ui.look.px(kToolbarHeight));
-  area(ui, "##toolbar", ImVec2(0, y), bar, ImVec2(ui.look.px(8), ui.look.px(8)), false, [&] {
+  area("##toolbar", ImVec2(0, y), bar, ImVec2(ui.look.px(8), ui.look.px(8)), false, [&] {
     draw_toolbar(context);
     line_at_bottom(ui, ImVec2(0, y), bar);
   });
   y += bar.y;
   if (has_progress(context)) {
     const ImVec2 size(window.x, ui.look.px(kProgressHeight));
-    area(ui, "##progress", ImVec2(0, y), size, ImVec2(0, 0), false, [&] {
+    area("##progress", ImVec2(0, y), size, ImVec2(0, 0), false, [&] {
       draw_progress(context);
       line_at_bottom(ui, ImVec2(0, y), size);
     });
@@ -142,12 +143,14 @@ void Workspace::draw(Session& session, UiState& ui) {
   const float bottom = window.y - ui.look.px(kStatusHeight);
   const float side = ui.settings.is_side_open ? ui.look.px(kSideWidth) : 0;
   if (side > 0) {
-    area(ui, "##side", ImVec2(0, y), ImVec2(side, bottom - y), ImVec2(0, 0), true,
-         [&] { side_panel(context); });
+    area("##side", ImVec2(0, y), ImVec2(side, bottom - y), ImVec2(0, 0), true, [&] {
+      side_panel(context);
+      ImGui::GetWindowDrawList()->AddLine(ImVec2(side - 0.5F, y), ImVec2(side - 0.5F, bottom),
+                                          ui.look.colours.border);
+    });
   }
-  draw_views(context, ImVec2(side + (side > 0 ? 1.0F : 0.0F), y),
-             ImVec2(window.x - side - (side > 0 ? 1.0F : 0.0F), bottom - y));
-  area(ui, "##status", ImVec2(0, bottom), ImVec2(window.x, window.y - bottom), ImVec2(0, 0), false, [&] {
+  draw_views(context, ImVec2(side, y), ImVec2(window.x - side, bottom - y));
+  area("##status", ImVec2(0, bottom), ImVec2(window.x, window.y - bottom), ImVec2(0, 0), false, [&] {
     ImGui::GetWindowDrawList()->AddLine(ImVec2(0, bottom), ImVec2(window.x, bottom), ui.look.colours.border);
     draw_status_bar(context);
   });
