@@ -14,7 +14,10 @@
 namespace netwright {
 
 /// Modifier keys, as bits.
-enum ModifierBits : int { kShift = 1, kControl = 2, kAlt = 4, kSuper = 8 };
+inline constexpr int kShift = 1;
+inline constexpr int kControl = 2;
+inline constexpr int kAlt = 4;
+inline constexpr int kSuper = 8;
 
 /// Key numbers are GLFW's: letters, digits and punctuation are their capital ASCII character ('A', '1', ' ').
 /// In the headless window too, and in ImGui's arrays.

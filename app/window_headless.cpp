@@ -3,11 +3,8 @@
 // would.
 #include "app/window_headless.h"
 
-// clang-format off: the loader must come before EGL's and ImGui's headers
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include "render/gl.h"
-// clang-format on
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
@@ -16,7 +13,6 @@
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include "core/base/error.h"
@@ -27,7 +23,7 @@ namespace netwright {
 namespace {
 
 constexpr std::size_t kButtons = 3;
-constexpr float kFrame_s = 1.0F / 60;  // always the same, so that pictures and tests repeat
+constexpr float kFrameSeconds = 1.0F / 60;  // always the same, so that pictures and tests repeat
 
 Error no_context(const std::string& what) {
   return Error(ErrorKind::Usage, "Netwright cannot draw without a display here (" + what +
@@ -126,7 +122,7 @@ std::u32string code_points(const std::string& utf8) {
 
 struct HeadlessWindow::Impl {
   EglContext context;
-  std::optional<Framebuffer> screen;
+  std::unique_ptr<Framebuffer> screen;
   double content_scale = 1;
   std::string title;
   bool is_software = true;
@@ -148,7 +144,7 @@ struct HeadlessWindow::Impl {
 
 HeadlessWindow::HeadlessWindow(const WindowOptions& options, double content_scale)
     : impl_(std::make_unique<Impl>()) {
-  impl_->screen.emplace();
+  impl_->screen = std::make_unique<Framebuffer>();
   impl_->screen->resize(options.size);
   impl_->content_scale = content_scale;
   impl_->title = options.title;
@@ -264,7 +260,7 @@ void HeadlessWindow::begin_frame() {
   const glm::ivec2 size = size_px();
   io.DisplaySize = ImVec2(static_cast<float>(size.x), static_cast<float>(size.y));
   io.DisplayFramebufferScale = ImVec2(1, 1);
-  io.DeltaTime = kFrame_s;
+  io.DeltaTime = kFrameSeconds;
   io.MousePos = ImVec2(impl_->mouse.x, impl_->mouse.y);
   for (std::size_t k = 0; k < kButtons; ++k) io.MouseDown[k] = impl_->is_down[k] || impl_->was_pressed[k];
   impl_->was_pressed = {};

@@ -11,10 +11,11 @@
 namespace netwright {
 namespace {
 
-constexpr double kHalfFieldOfView_rad = 17.5 * std::numbers::pi / 180;
-constexpr double kStartYaw_rad = 0.6;
-constexpr double kStartPitch_rad = 0.35;
-constexpr double kMostPitch_rad = std::numbers::pi / 2 - 0.001;
+// Angles in radians.
+constexpr double kHalfFieldOfView = 17.5 * std::numbers::pi / 180;
+constexpr double kStartYaw = 0.6;
+constexpr double kStartPitch = 0.35;
+constexpr double kMostPitch = std::numbers::pi / 2 - 0.001;
 constexpr double kFrameShare = 0.86;    // of the view is filled when a box is framed
 constexpr double kNearestZoom = 0.002;  // in scene radii
 constexpr double kFarthestZoom = 60;
@@ -24,8 +25,8 @@ constexpr double kFarthestZoom = 60;
 void OrbitCamera::set_size(glm::dvec2 size_px) { size_px_ = glm::max(size_px, glm::dvec2(1)); }
 
 void OrbitCamera::reset_direction() {
-  yaw_rad_ = kStartYaw_rad;
-  pitch_rad_ = kStartPitch_rad;
+  yaw_rad_ = kStartYaw;
+  pitch_rad_ = kStartPitch;
 }
 
 glm::dmat3 OrbitCamera::axes() const {
@@ -48,7 +49,7 @@ void OrbitCamera::frame(const Box3& box) {
   target_ = scene_centre_;
   // Each corner asks for a distance at which it is still inside the picture, sideways and in height.
   const glm::dmat3 to_view = glm::transpose(axes());
-  const double tan_y = std::tan(kHalfFieldOfView_rad) * kFrameShare;
+  const double tan_y = std::tan(kHalfFieldOfView) * kFrameShare;
   const double tan_x = tan_y * size_px_.x / size_px_.y;
   distance_ = scene_radius_ * kNearestZoom;
   for (int k = 0; k < 8; ++k) {
@@ -62,11 +63,11 @@ void OrbitCamera::frame(const Box3& box) {
 void OrbitCamera::orbit(glm::dvec2 drag_px) {
   const double rad_per_px = std::numbers::pi / std::max(300.0, std::min(size_px_.x, size_px_.y));
   yaw_rad_ = std::remainder(yaw_rad_ - drag_px.x * rad_per_px, 2 * std::numbers::pi);
-  pitch_rad_ = std::clamp(pitch_rad_ + drag_px.y * rad_per_px, -kMostPitch_rad, kMostPitch_rad);
+  pitch_rad_ = std::clamp(pitch_rad_ + drag_px.y * rad_per_px, -kMostPitch, kMostPitch);
 }
 
 double OrbitCamera::pixels_per_unit() const {
-  return size_px_.y / (2 * distance_ * std::tan(kHalfFieldOfView_rad));
+  return size_px_.y / (2 * distance_ * std::tan(kHalfFieldOfView));
 }
 
 void OrbitCamera::pan(glm::dvec2 drag_px) {
@@ -98,7 +99,7 @@ glm::dmat4 OrbitCamera::projection() const {
   const double reach = scene_radius_ * 1.05;
   const double far_plane = std::max(depth + reach, distance_ * 2);
   const double near_plane = std::max(depth - reach, std::min(distance_, reach) * 0.01);
-  return glm::perspective(2 * kHalfFieldOfView_rad, size_px_.x / size_px_.y, near_plane, far_plane);
+  return glm::perspective(2 * kHalfFieldOfView, size_px_.x / size_px_.y, near_plane, far_plane);
 }
 
 glm::dvec3 OrbitCamera::project(const glm::dvec3& point) const {
@@ -115,7 +116,7 @@ glm::dvec3 OrbitCamera::unproject(const glm::dvec3& pixel_and_depth) const {
 }
 
 Ray OrbitCamera::ray(glm::dvec2 pixel) const {
-  const double tan_y = std::tan(kHalfFieldOfView_rad);
+  const double tan_y = std::tan(kHalfFieldOfView);
   const glm::dvec2 ndc(pixel.x / size_px_.x * 2 - 1, 1 - pixel.y / size_px_.y * 2);
   const glm::dvec3 in_view(ndc.x * tan_y * size_px_.x / size_px_.y, ndc.y * tan_y, -1);
   return {eye(), glm::normalize(axes() * in_view)};

@@ -60,7 +60,8 @@ void VertexArray::attribute(unsigned int index, const Buffer& buffer, int compon
   glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
   glEnableVertexAttribArray(index);
   const auto step = static_cast<GLsizei>(stride);
-  const auto* start = reinterpret_cast<const void*>(offset);  // OpenGL wants the offset dressed as a pointer
+  // OpenGL wants the offset dressed as a pointer.
+  const auto* start = reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr)
   switch (type) {
     case AttributeType::Float:
       glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, step, start);

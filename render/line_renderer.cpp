@@ -42,9 +42,8 @@ LineView look_through(const PanZoomCamera& camera, float scale) {
 }
 
 float thinning(double mean_edge_px, float scale) {
-  constexpr double kRoomyEdge_px = 18;
-  return static_cast<float>(
-      std::clamp(mean_edge_px / (kRoomyEdge_px * static_cast<double>(scale)), 0.45, 1.0));
+  constexpr double kRoomyEdge = 18;  // pixels
+  return static_cast<float>(std::clamp(mean_edge_px / (kRoomyEdge * static_cast<double>(scale)), 0.45, 1.0));
 }
 
 LineRenderer::LineRenderer() : shader_("line") {}

@@ -18,11 +18,15 @@ struct NetVertex {
   std::uint32_t face;
 };
 
-enum NetLineStyle : std::uint32_t { kCutLine, kMountainLine, kValleyLine, kFlatLine };
+// Indices into the styles of the net's lines.
+constexpr std::uint32_t kCutLine = 0;
+constexpr std::uint32_t kMountainLine = 1;
+constexpr std::uint32_t kValleyLine = 2;
+constexpr std::uint32_t kFlatLine = 3;
 
 glm::vec3 flat_point(glm::dvec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y), 0.0F}; }
 
-NetLineStyle style_of(EdgeKind kind) {
+std::uint32_t style_of(EdgeKind kind) {
   switch (kind) {
     case EdgeKind::Mountain:
       return kMountainLine;
@@ -124,7 +128,7 @@ void NetRenderer::upload_lines(const Net& net, const IdVector<EdgeId, EdgeKind>&
   std::vector<LineSegment> cuts;
   std::vector<LineSegment> folds;
   for (const EdgeId e : mesh.edges()) {
-    const NetLineStyle style = style_of(kinds[e]);
+    const std::uint32_t style = style_of(kinds[e]);
     const HalfedgeId h = mesh.halfedge(e);
     const auto side = [&](HalfedgeId g) {
       return LineSegment{flat_point(net.corner(g)), flat_point(net.corner(mesh.next(g))), style};

@@ -8,8 +8,12 @@
 namespace netwright {
 namespace {
 
-enum TreeLineStyle : std::uint32_t { kTreeLine, kClimbedLine, kCandidateLine };
-enum RootStyle : std::uint32_t { kRootRim, kRootDisc };
+// Indices into the styles of the lines, and into those of the marks.
+constexpr std::uint32_t kTreeLine = 0;
+constexpr std::uint32_t kClimbedLine = 1;
+constexpr std::uint32_t kCandidateLine = 2;
+constexpr std::uint32_t kRootRim = 0;
+constexpr std::uint32_t kRootDisc = 1;
 
 /// The same strokes in space and in the plane.
 struct Strokes {
