@@ -1,36 +1,15 @@
-// Compares what the headers of STL, PLY and OFF files promise with the size of the file. Assimp believes the
+// Compares what the headers of STL and PLY files promise with the size of the file. Assimp believes the
 // headers and would allocate whatever they say.
-#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <vector>
 
 #include "core/mesh/readers.h"
+#include "core/mesh/words.h"
 
 namespace netwright::readers {
 namespace {
-
-constexpr std::string_view kBlank = " \t\r\n\v\f";
-
-std::string_view next_word(std::string_view& rest) {
-  rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
-  const std::string_view word = rest.substr(0, rest.find_first_of(kBlank));
-  rest.remove_prefix(word.size());
-  return word;
-}
-
-std::string_view next_line(std::string_view& rest) {
-  const std::size_t end = rest.find('\n');
-  const std::string_view line = rest.substr(0, end);
-  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  return line;
-}
-
-bool parse_count(std::string_view word, std::uint64_t& count) {
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-  return error == std::errc() && end == word.data() + word.size();
-}
 
 [[noreturn]] void refuse_promise(const std::string& name, std::uint64_t count, const std::string& what) {
   refuse(name, "its header promises " + std::to_string(count) + " " + what +
@@ -82,10 +61,12 @@ void check_ply(const std::string& name, std::string_view bytes) {
     if (keyword == "end_header") is_ended = true;
     if (keyword == "element") {
       Element element{.name = std::string(next_word(line))};
-      if (!parse_count(next_word(line), element.count)) {
+      const std::optional<std::uint64_t> count = parse_count(next_word(line));
+      if (!count) {
         refuse(name,
                "its header does not say how many of \"" + element.name + "\" it holds; export it again.");
       }
+      element.count = *count;
       elements.push_back(std::move(element));
     }
     if (keyword == "property" && !elements.empty()) {
@@ -103,32 +84,11 @@ void check_ply(const std::string& name, std::string_view bytes) {
   }
 }
 
-void check_off(const std::string& name, std::string_view bytes) {
-  std::string numbers;  // the file without its comments, as far as the counts go
-  for (std::string_view rest = bytes; !rest.empty() && numbers.size() < 256;) {
-    const std::string_view line = next_line(rest);
-    numbers.append(line.substr(0, line.find('#'))).push_back(' ');
-  }
-  std::string_view rest = numbers;
-  std::uint64_t points = 0;
-  std::uint64_t faces = 0;
-  std::string_view word = next_word(rest);
-  if (word.ends_with("OFF")) word = next_word(rest);
-  if (!parse_count(word, points) || !parse_count(next_word(rest), faces)) {
-    refuse(name, "its first lines do not say how many points and faces it holds; export it again.");
-  }
-  constexpr std::uint64_t kPoint = 6;  // "0 0 0\n"
-  constexpr std::uint64_t kFace = 4;   // "1 0\n"
-  if (points > bytes.size() / kPoint) refuse_promise(name, points, "points");
-  if (faces > (bytes.size() - points * kPoint) / kFace) refuse_promise(name, faces, "faces");
-}
-
 }  // namespace
 
 void check_header(const std::string& name, std::string_view bytes, const std::string& extension) {
   if (extension == "stl") check_stl(name, bytes);
   if (extension == "ply") check_ply(name, bytes);
-  if (extension == "off") check_off(name, bytes);
 }
 
 }  // namespace netwright::readers

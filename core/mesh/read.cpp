@@ -168,9 +168,10 @@ PolygonSoup read_kind(Kind kind, const std::string& name, std::string_view bytes
       return readers::read_obj(name, bytes, companions);
     case Kind::Gltf:
       return readers::read_gltf(name, bytes, companions);
+    case Kind::Off:
+      return readers::read_off(name, bytes);
     case Kind::Stl:
     case Kind::Ply:
-    case Kind::Off:
     case Kind::ThreeMf:
       break;
   }

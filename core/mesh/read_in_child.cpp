@@ -1,5 +1,7 @@
 // Our side of reading through the helper program: look at the header, start the helper with limits, and turn
 // whatever way it ended into a soup or one sentence.
+#include <algorithm>
+
 #include "core/base/subprocess.h"
 #include "core/mesh/readers.h"
 
@@ -14,7 +16,9 @@ std::filesystem::path helper() { return program_folder() / "netwright-read"; }
 
 /// What Assimp said, as the middle of a sentence.
 std::string as_clause(std::string_view said) {
-  std::string clause(said.substr(0, said.find('\n')));
+  constexpr std::size_t kLongest = 100;
+  std::string clause(said.substr(0, std::min(said.find('\n'), kLongest)));
+  if (said.size() > kLongest && clause.size() == kLongest) clause += " …";
   while (!clause.empty() && (clause.back() == '.' || clause.back() == '!' || clause.back() == ' ')) {
     clause.pop_back();
   }

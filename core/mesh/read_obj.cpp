@@ -3,8 +3,7 @@
 // other words into 0 without telling, and its own decimal conversion is off in the last digits.
 #include <tiny_obj_loader.h>
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
@@ -12,6 +11,7 @@
 
 #include "core/base/image.h"
 #include "core/mesh/readers.h"
+#include "core/mesh/words.h"
 
 namespace netwright::readers {
 namespace {
@@ -24,29 +24,17 @@ struct CleanText {
 
 std::string at_line(int line) { return "line " + std::to_string(line); }
 
-std::string_view next_word(std::string_view& rest) {
-  const std::size_t begin = std::min(rest.find_first_not_of(" \t"), rest.size());
-  const std::size_t end = std::min(rest.find_first_of(" \t", begin), rest.size());
-  const std::string_view word = rest.substr(begin, end - begin);
-  rest.remove_prefix(end);
-  return word;
-}
-
 double coordinate(const std::string& name, std::string_view word, std::size_t point, int line) {
   const std::string place = "point " + std::to_string(point) + " (" + at_line(line) + ")";
   if (word.empty()) {
     refuse(name, place + " has fewer than three coordinates; the file is damaged, export it again.");
   }
-  std::string_view digits = word;
-  if (digits.front() == '+') digits.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::result_out_of_range && word.find("e-") != std::string_view::npos) return 0;
-  if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
+  const std::optional<double> value = parse_number(word);
+  if (!value) {
     refuse(name, place + " has the coordinate \"" + std::string(word.substr(0, 20)) +
                      "\", which is not a finite number; repair the point or export the model again.");
   }
-  return value;
+  return *value;
 }
 
 void clean_line(const std::string& name, std::string_view line, int number, CleanText& clean) {
@@ -66,25 +54,12 @@ void clean_line(const std::string& name, std::string_view line, int number, Clea
   clean.text.append(body).push_back('\n');
 }
 
-/// Takes the next line off the text, whatever the way it ends.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(end);
-  if (text.starts_with("\r\n")) {
-    text.remove_prefix(2);
-  } else if (!text.empty()) {
-    text.remove_prefix(1);
-  }
-  return line;
-}
-
 CleanText clean(const std::string& name, std::string_view text) {
   CleanText clean;
   clean.text.reserve(text.size() + 1);
   std::string joined;
   for (int number = 1; !text.empty(); ++number) {
-    std::string_view line = take_line(text);
+    std::string_view line = next_line(text);
     const std::size_t last = line.find_last_not_of(" \t");
     line = line.substr(0, last == std::string_view::npos ? 0 : last + 1);
     if (line.ends_with('\\')) {
@@ -238,8 +213,13 @@ PolygonSoup read_obj(const std::string& name, std::string_view bytes, const Comp
     soup.notices.emplace_back("Some corners name texture coordinates that the file does not have.");
   }
   if (!collector.has_uv) soup.corner_uv.clear();
-  add_materials(soup, libraries.found(), companions);
-  if (soup.materials.empty()) soup.face_material.clear();
+  const bool has_material =
+      std::ranges::any_of(soup.face_material, [](int material) { return material >= 0; });
+  if (has_material) {
+    add_materials(soup, libraries.found(), companions);
+  } else {
+    soup.face_material.clear();
+  }
   return soup;
 }
 
