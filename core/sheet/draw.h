@@ -39,7 +39,8 @@ void draw_tile_marks(Sheet& sheet, const PageLayout& layout, const PageLayout::P
 /// The words of the title block that are the same on every page.
 struct TitleWords {
   std::string title;
-  std::string figures;  ///< scale, height, faces, seed
+  std::string scale;    ///< scale and height
+  std::string figures;  ///< the same, then faces and seed
   std::string proof;
   bool is_proved = false;
 };

@@ -38,13 +38,18 @@ std::string counted(std::size_t count, const std::string& one) {
 /// Shortens words until they fit, with an ellipsis for what is left out.
 std::string fitted(const Font& font, const std::string& words, double size_mm, double room_mm) {
   if (font.width(words, size_mm) <= room_mm) return words;
-  std::string kept = words;
-  while (!kept.empty() && font.width(kept + "…", size_mm) > room_mm) {
-    // A character goes as a whole: the bytes that continue it, then the one that leads it.
-    while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xc0U) == 0x80U) kept.pop_back();
-    if (!kept.empty()) kept.pop_back();
+  const double dots = font.width("…", size_mm);
+  std::size_t kept = 0;
+  double width = 0;
+  while (kept < words.size()) {
+    // A character goes as a whole: its first byte and those that continue it.
+    std::size_t end = kept + 1;
+    while (end < words.size() && (static_cast<unsigned char>(words[end]) & 0xc0U) == 0x80U) ++end;
+    width += font.width(words.substr(kept, end - kept), size_mm);
+    if (width + dots > room_mm) break;
+    kept = end;
   }
-  return kept + "…";
+  return words.substr(0, kept) + "…";
 }
 
 }  // namespace
@@ -56,10 +61,10 @@ TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo
   words.title =
       clean_utf8(info.title.empty() ? std::filesystem::path(mesh.name()).stem().string() : info.title);
   if (words.title.empty()) words.title = "Model";
-  words.figures = "Scale 1 unit = " + short_number(layout.scale) + " mm";
+  words.scale = "Scale 1 unit = " + short_number(layout.scale) + " mm";
   if (layout.model_height_mm > 1e-6)
-    words.figures += ", model " + short_number(layout.model_height_mm) + " mm high";
-  words.figures += "  ·  " + counted(mesh.n_faces(), "face");
+    words.scale += ", model " + short_number(layout.model_height_mm) + " mm high";
+  words.figures = words.scale + "  ·  " + counted(mesh.n_faces(), "face");
   if (info.seed) words.figures += "  ·  seed " + std::to_string(*info.seed);
   const std::string pieces =
       net.n_pieces == 1 ? "one piece" : counted(static_cast<std::size_t>(net.n_pieces), "piece");
@@ -110,7 +115,9 @@ void MarginArtist::draw_header(Sheet& sheet, const PageLayout::Page& page) const
   else
     draw_proof(sheet, right, small_y);
   const double room = right - box.min.x - (is_narrow ? 0 : proof_width + 4);
-  const std::string figures = fitted(regular_, words_.figures, kSmallSize, room);
+  const bool has_room_for_all = regular_.width(words_.figures, kSmallSize) <= room;
+  const std::string figures =
+      fitted(regular_, has_room_for_all ? words_.figures : words_.scale, kSmallSize, room);
   add_text(sheet, {Layer::Print, {box.min.x, small_y}, figures, kSmallSize, FontWeight::Regular, kQuietInk},
            kLeft);
   sheet.strokes.push_back(hairline({box.min.x, box.max.y}, box.max));

@@ -53,23 +53,32 @@ PageFrame make_frame(const PaperSetup& paper, bool is_landscape) {
   }
   frame.net.min += kNetInset;
   frame.net.max -= kNetInset;
-  const glm::dvec2 room = frame.net.size();
-  if (!(margin >= 0) || !(room.x >= kLeastNetSide) || !(room.y >= kLeastNetSide))
-    throw Error(ErrorKind::Usage, "A margin of " + short_number(margin) + " mm leaves no room for a net on " +
-                                      std::string(format.name) + " paper; choose a margin from 0 to 20 mm.");
   return frame;
+}
+
+bool has_room(const PageFrame& frame, double margin_mm) {
+  const glm::dvec2 room = frame.net.size();
+  return margin_mm >= 0 && room.x >= kLeastNetSide && room.y >= kLeastNetSide;
+}
+
+[[noreturn]] void refuse_margin(const PaperSetup& paper) {
+  throw Error(ErrorKind::Usage, "A margin of " + short_number(paper.margin_mm) +
+                                    " mm leaves no room for a net on " + paper.format +
+                                    " paper; choose a margin from 0 to 15 mm.");
 }
 
 }  // namespace
 
-PageFrame page_frame(const PaperSetup& paper) {
-  return make_frame(paper, paper.orientation == Orientation::Landscape);
-}
+PageFrame page_frame(const PaperSetup& paper) { return possible_frames(paper).front(); }
 
 std::vector<PageFrame> possible_frames(const PaperSetup& paper) {
   std::vector<PageFrame> frames;
-  if (paper.orientation != Orientation::Landscape) frames.push_back(make_frame(paper, false));
-  if (paper.orientation != Orientation::Portrait) frames.push_back(make_frame(paper, true));
+  for (const bool is_landscape : {false, true}) {
+    if (paper.orientation == (is_landscape ? Orientation::Portrait : Orientation::Landscape)) continue;
+    const PageFrame frame = make_frame(paper, is_landscape);
+    if (has_room(frame, paper.margin_mm)) frames.push_back(frame);
+  }
+  if (frames.empty()) refuse_margin(paper);
   return frames;
 }
 

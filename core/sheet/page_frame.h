@@ -21,11 +21,12 @@ struct PageFrame {
   [[nodiscard]] bool is_landscape() const { return width_mm > height_mm; }
 };
 
-/// The page of a setup, Auto taken as upright. Throws Error(Usage): unknown paper, margins that leave no
-/// room.
+/// The page of a setup, Auto taken as upright where that has room. Throws Error(Usage): unknown paper,
+/// margins that leave no room.
 PageFrame page_frame(const PaperSetup& paper);
 
-/// The pages a setup allows: one, or for Auto the upright and then the lying one. Throws as above.
+/// The pages a setup allows: one, or for Auto the upright and then the lying one (where there is room).
+/// Throws as above.
 std::vector<PageFrame> possible_frames(const PaperSetup& paper);
 
 }  // namespace netwright

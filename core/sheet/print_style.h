@@ -48,6 +48,6 @@ inline constexpr double kSquare = 50;  ///< test square, where there is room
 inline constexpr double kPieceGap = 3;
 inline constexpr double kTileOverlap = 10;
 inline constexpr double kNetInset = 0.5;     ///< keeps line widths and rounding inside the frame
-inline constexpr double kLeastNetSide = 40;  ///< a page with less room than this for the net is no use
+inline constexpr double kLeastNetSide = 30;  ///< a page with less room than this for the net is no use
 
 }  // namespace netwright::print_style

@@ -1,0 +1,257 @@
+// Where pieces lie on paper: the largest scale that fits, true heights, tiling and packing.
+#include "core/sheet/pages.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/base/error.h"
+#include "core/sheet/best_angle.h"
+#include "core/sheet/pack.h"
+#include "core/sheet/tiles.h"
+#include "tests/sheet_support.h"
+
+namespace netwright {
+namespace {
+
+using testing::net_of;
+
+PrintSize height(double mm) { return {PrintSize::Kind::Height, mm}; }
+
+Box2 box_on_canvas(const Net& net, const PageLayout& layout, int piece) {
+  Box2 box;
+  for (const FaceId f : net.mesh().faces())
+    if (net.piece[f] == piece)
+      for (const HalfedgeId h : net.mesh().halfedges(f)) box.add(layout.on_canvas(piece, net.corner(h)));
+  return box;
+}
+
+void expect_inside(const Box2& inner, const Box2& outer) {
+  EXPECT_GE(inner.min.x, outer.min.x - 1e-6);
+  EXPECT_GE(inner.min.y, outer.min.y - 1e-6);
+  EXPECT_LE(inner.max.x, outer.max.x + 1e-6);
+  EXPECT_LE(inner.max.y, outer.max.y + 1e-6);
+}
+
+std::string refusal(const Net& net, const PaperSetup& paper, const PrintSize& size) {
+  try {
+    arrange(net, paper, size);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Usage);
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return "";
+}
+
+TEST(BestAngle, LaysASlantedBoxFlat) {
+  const Rigid2 slant = Rigid2::rotation(0.3);
+  std::vector<glm::dvec2> corners;
+  for (const glm::dvec2 p : {glm::dvec2(0, 0), glm::dvec2(8, 0), glm::dvec2(8, 1), glm::dvec2(0, 1)})
+    corners.push_back(slant(p));
+  const auto hull = convex_hull(corners);
+  const glm::dvec2 size = turned_box(hull, best_angle(hull, [](glm::dvec2 s) { return s.x * s.y; })).size();
+  EXPECT_NEAR(size.x * size.y, 8, 1e-9);
+}
+
+TEST(BestAngle, FindsTheDiagonalBetweenTheSidesDirections) {
+  // A thin rod fits a square best along the diagonal, which no side of its hull points along.
+  const std::vector<glm::dvec2> rod = {{0, 0}, {10, 0}, {10, 0.1}, {0, 0.1}};
+  const auto cost = [](glm::dvec2 s) { return std::max(s.x, s.y); };
+  const glm::dvec2 size = turned_box(rod, best_angle(rod, cost)).size();
+  EXPECT_NEAR(std::max(size.x, size.y), 10.1 / std::sqrt(2.0), 1e-6);
+}
+
+TEST(ConvexHull, LeavesOutCollinearAndRepeatedPoints) {
+  EXPECT_EQ(convex_hull({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}, {0, 0}, {0, 1}}).size(), 4U);
+}
+
+TEST(Pack, KeepsRectanglesApartAndOnTheirPages) {
+  const glm::dvec2 page(100, 80);
+  std::vector<glm::dvec2> sizes;
+  Random random(3);
+  for (int i = 0; i < 60; ++i) sizes.emplace_back(3 + 60 * random.unit(), 3 + 60 * random.unit());
+  const std::vector<Packed> packed = pack(sizes, page, 3);
+  std::vector<Box2> boxes;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const glm::dvec2 size = packed[i].is_turned ? glm::dvec2(sizes[i].y, sizes[i].x) : sizes[i];
+    boxes.push_back({packed[i].at, packed[i].at + size});
+    expect_inside(boxes[i], {{0, 0}, page});
+    for (std::size_t j = 0; j < i; ++j) {
+      if (packed[i].page != packed[j].page) continue;
+      const glm::dvec2 apart = glm::max(boxes[i].min - boxes[j].max, boxes[j].min - boxes[i].max);
+      EXPECT_GE(std::max(apart.x, apart.y), 3 - 1e-6);
+    }
+  }
+}
+
+TEST(TileTag, CountsLikeASpreadsheet) {
+  EXPECT_EQ(tile_tag(0, 0), "A1");
+  EXPECT_EQ(tile_tag(1, 2), "B3");
+  EXPECT_EQ(tile_tag(25, 0), "Z1");
+  EXPECT_EQ(tile_tag(26, 11), "AA12");
+}
+
+TEST(NeededTiles, KeepsATileThatLiesWhollyInsideTheShape) {
+  const TileGrid grid = TileGrid::covering({270, 270}, {100, 100}, 10);
+  ASSERT_EQ(grid.columns, 3);
+  const std::vector<glm::dvec2> square = {{5, 5}, {275, 5}, {275, 275}, {5, 275}};
+  std::vector<Segment> outline;
+  for (std::size_t i = 0; i < 4; ++i) outline.emplace_back(square[i], square[(i + 1) % 4]);
+  EXPECT_EQ(needed_tiles(grid, outline), std::vector<char>(9, 1));
+}
+
+TEST(NeededTiles, LeavesOutTilesBesideTheShape) {
+  const TileGrid grid = TileGrid::covering({270, 270}, {100, 100}, 10);
+  const std::vector<Segment> corner = {{{5, 5}, {80, 5}}, {{80, 5}, {5, 80}}, {{5, 80}, {5, 5}}};
+  const std::vector<char> needed = needed_tiles(grid, corner);
+  EXPECT_EQ(std::count(needed.begin(), needed.end(), 1), 1);
+  EXPECT_EQ(needed[0], 1);
+}
+
+TEST(PageFrame, KeepsItsStripsApartOnEveryPaper) {
+  for (const PaperFormat& format : paper_formats())
+    for (const double margin : {0.0, 5.0, 10.0, 15.0})
+      for (const PageFrame& frame : possible_frames({std::string(format.name), Orientation::Auto, margin})) {
+        SCOPED_TRACE(std::string(format.name) + ", margin " + std::to_string(margin));
+        for (const Box2& box : {frame.header, frame.footer, frame.net}) expect_inside(box, frame.printable);
+        EXPECT_LE(frame.header.max.y, frame.net.min.y);
+        EXPECT_LE(frame.net.max.y, frame.footer.min.y);
+        if (frame.side.is_empty()) continue;
+        expect_inside(frame.side, frame.printable);
+        EXPECT_LE(frame.side.max.x, frame.net.min.x);
+      }
+}
+
+TEST(Arrange, FitsEveryShapeOnOnePageAndFillsItToTheBorder) {
+  for (const testing::ZooShape& shape : testing::zoo()) {
+    SCOPED_TRACE(shape.soup.name);
+    const Net net = net_of(shape.soup);
+    const PageLayout layout = arrange(net, {}, {});
+    ASSERT_EQ(layout.pages.size(), 1U);
+    Box2 all;
+    for (int piece = 0; piece < net.n_pieces; ++piece) {
+      const Box2 box = box_on_canvas(net, layout, piece);
+      expect_inside(box, {{0, 0}, layout.frame.net.size()});
+      all.add(box);
+    }
+    const glm::dvec2 share = all.size() / layout.frame.net.size();
+    EXPECT_GT(std::max(share.x, share.y), net.n_pieces == 1 ? 0.999 : 0.7);
+  }
+}
+
+TEST(Arrange, PrintsLargerThanUnturned) {
+  const Net net = net_of(shapes::cuboid({1, 20, 0.5}));
+  const PageLayout turned = arrange(net, {}, {});
+  const glm::dvec2 share = net.box().size() / turned.frame.net.size();
+  EXPECT_GE(turned.scale, 1 / std::max(share.x, share.y) - 1e-9);
+}
+
+TEST(Arrange, ObeysTheChosenOrientation) {
+  const Net net = net_of(shapes::icosahedron());
+  EXPECT_FALSE(arrange(net, {"A4", Orientation::Portrait, 10}, {}).frame.is_landscape());
+  EXPECT_TRUE(arrange(net, {"A4", Orientation::Landscape, 10}, {}).frame.is_landscape());
+}
+
+TEST(Arrange, DoesNotMirrorTheNet) {
+  const Net net = net_of(shapes::letter_l());
+  const PageLayout layout = arrange(net, {}, {});
+  for (const FaceId f : net.mesh().faces()) {
+    double area = 0;
+    for (const HalfedgeId h : net.mesh().halfedges(f))
+      area += cross(layout.on_canvas(0, net.corner(h)), layout.on_canvas(0, net.corner(net.mesh().next(h))));
+    EXPECT_LT(area, 0) << "counter-clockwise faces must look so on paper, where y points down";
+  }
+}
+
+TEST(Arrange, MeetsTheHeightExactly) {
+  const Net net = net_of(shapes::icosphere(2));
+  const PageLayout layout = arrange(net, {}, height(80));
+  EXPECT_NEAR(layout.scale * net.mesh().height(), 80, 1e-9);
+  EXPECT_NEAR(layout.model_height_mm, 80, 1e-9);
+}
+
+TEST(Arrange, TilesWhatIsLargerThanThePaper) {
+  const Net net = net_of(shapes::icosphere(2));
+  const PageLayout layout = arrange(net, {}, height(300));
+  ASSERT_EQ(layout.canvases.size(), 1U);
+  EXPECT_TRUE(layout.canvases[0].is_tiled());
+  EXPECT_GT(layout.pages.size(), 1U);
+  expect_inside(box_on_canvas(net, layout, 0),
+                {{0, 0}, {layout.canvases[0].width_mm, layout.canvases[0].height_mm}});
+  const glm::dvec2 stride = layout.frame.net.size() - layout.overlap_mm;
+  std::map<std::string, int> tags;
+  for (const PageLayout::Page& page : layout.pages) {
+    ++tags[page.tag];
+    EXPECT_NEAR(page.origin.x, page.column * stride.x, 1e-9);
+    EXPECT_NEAR(page.origin.y, page.row * stride.y, 1e-9);
+  }
+  EXPECT_EQ(tags.size(), layout.pages.size()) << "every tile has a tag of its own";
+}
+
+TEST(Arrange, ShowsEveryFaceOnSomePage) {
+  for (const double mm : {200.0, 500.0, 900.0}) {
+    const Net net = net_of(shapes::sand_clock());
+    const PageLayout layout = arrange(net, {}, height(mm));
+    for (const FaceId f : net.mesh().faces()) {
+      glm::dvec2 centre(0, 0);
+      for (const HalfedgeId h : net.mesh().halfedges(f)) centre += net.corner(h);
+      centre = layout.on_canvas(0, centre / static_cast<double>(net.mesh().degree(f)));
+      const bool is_shown =
+          std::any_of(layout.pages.begin(), layout.pages.end(), [&](const PageLayout::Page& page) {
+            const glm::dvec2 at = centre - page.origin;
+            return at.x >= 0 && at.y >= 0 && at.x <= layout.frame.net.size().x &&
+                   at.y <= layout.frame.net.size().y;
+          });
+      EXPECT_TRUE(is_shown) << "face " << f.value << " at " << mm << " mm";
+    }
+  }
+}
+
+TEST(Arrange, PacksPartsOnPagesAndTilesTheLargeOnes) {
+  PolygonSoup soup = shapes::cuboid({1, 1, 1});
+  for (int i = 1; i < 5; ++i) soup = shapes::combined(soup, shapes::cube(), {4.0 * i, 0, 0});
+  soup = shapes::combined(soup, shapes::cuboid({1, 12, 1}), {40, 0, 0});
+  const Net net = net_of(soup);
+  ASSERT_EQ(net.n_pieces, 6);
+  const PageLayout layout = arrange(net, {}, height(480));
+  std::map<int, std::vector<Box2>> by_canvas;
+  for (int piece = 0; piece < net.n_pieces; ++piece)
+    by_canvas[layout.pieces[static_cast<std::size_t>(piece)].canvas].push_back(
+        box_on_canvas(net, layout, piece));
+  EXPECT_TRUE(layout.canvases[0].is_tiled());
+  EXPECT_FALSE(layout.canvases.back().is_tiled());
+  for (const auto& [canvas, boxes] : by_canvas)
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const glm::dvec2 apart = glm::max(boxes[i].min - boxes[j].max, boxes[j].min - boxes[i].max);
+        EXPECT_GE(std::max(apart.x, apart.y), 3 - 1e-6) << "on canvas " << canvas;
+      }
+}
+
+TEST(Arrange, RefusesWhatCannotBePrintedInOneSentence) {
+  const Net net = net_of(shapes::cube());
+  EXPECT_NE(refusal(net, {"A9", Orientation::Auto, 10}, {}).find("A4"), std::string::npos);
+  EXPECT_NE(refusal(net, {"A6", Orientation::Auto, 60}, {}).find("margin of 60 mm"), std::string::npos);
+  EXPECT_NE(refusal(net, {"A4", Orientation::Auto, -1}, {}).find("margin"), std::string::npos);
+  EXPECT_NE(refusal(net, {"A4", Orientation::Auto, std::nan("")}, {}).find("margin"), std::string::npos);
+  EXPECT_NE(refusal(net, {}, height(0)).find("above 0"), std::string::npos);
+  EXPECT_NE(refusal(net, {}, height(1e9)).find("1000 pages"), std::string::npos);
+  EXPECT_NE(refusal(net_of(shapes::grid_patch(3, 3)), {}, height(100)).find("up axis"), std::string::npos);
+}
+
+TEST(SpreadPieces, PutsPartsSideBySideWithoutTurningThem) {
+  const Net net = net_of(shapes::combined(shapes::cube(), shapes::tetrahedron(), {5, 0, 0}));
+  const Net spread = spread_pieces(net);
+  Box2 boxes[2];
+  for (const FaceId f : spread.mesh().faces()) {
+    boxes[spread.piece[f]].add(spread.box(f));
+    EXPECT_EQ(spread.placement[f].cos, net.placement[f].cos);
+    EXPECT_EQ(spread.placement[f].sin, net.placement[f].sin);
+  }
+  const glm::dvec2 apart = glm::max(boxes[1].min - boxes[0].max, boxes[0].min - boxes[1].max);
+  EXPECT_GT(std::max(apart.x, apart.y), 0);
+}
+
+}  // namespace
+}  // namespace netwright
