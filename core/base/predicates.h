@@ -11,10 +11,14 @@ namespace netwright {
 /// shows.
 inline constexpr double kProofDepth = 1e-9;
 
-/// The search counts an overlap from this depth on, in mean edges: well below kProofDepth, so that no net it
-/// claims sits on the proof's edge (sqrt 2 of slack in its test and the merging of fold vertices included),
-/// and well above the 1e-13 that rounding and the input's own last digits put between faces that only touch.
-inline constexpr double kSolveDepth = 2e-10;
+/// The search counts an overlap from this depth on, in mean edges: well above the 1e-12 that rounding leaves
+/// between faces that only touch in nets of thousands of faces, and, with the sqrt 2 of slack in its test,
+/// below kSameCorner, so that everything it lets pass is a contact that `settle` can clear.
+inline constexpr double kSolveDepth = 2e-11;
+
+/// Corners of a stored net nearer to each other, or to a foreign edge, than this, in mean edges, touch: above
+/// anything the search lets pass, far below kProofDepth.
+inline constexpr double kSameCorner = 5e-11;
 
 /// A face is flat when no corner is off its best plane by more than this share of the face's size.
 inline constexpr double kFlatness = 5e-4;
@@ -26,13 +30,14 @@ inline constexpr double kFlatFold = 0.017453292519943295;
 /// cannot be cut out and would make its own frame meaningless.
 inline constexpr double kDegenerateHeight = 1e-9;
 
-/// Corners of faces that came without shared points (STL, glTF) are one corner when they are closer than this share
-/// of the model's diagonal: the float coordinates of such files differ by about 6e-8 of it when programs rounded
-/// a corner twice, and no detail this small can be cut out.
+/// Corners of faces that came without shared points (STL, glTF) are one corner when they are closer than this
+/// share of the model's diagonal: the float coordinates of such files differ by about 6e-8 of it when
+/// programs rounded a corner twice, and no detail this small can be cut out.
 inline constexpr double kWeldDistance = 1e-7;
 
-/// Two faces cut through each other in space when they do so by more than this share of the larger one's size.
-/// Shallower contact is what six written decimals leave between faces that touch, and far below a sheet's thickness.
+/// Two faces cut through each other in space when they do so by more than this share of the larger one's
+/// size. Shallower contact is what six written decimals leave between faces that touch, and far below a
+/// sheet's thickness.
 inline constexpr double kCrossingDepth = 1e-5;
 
 /// Sign of the area of the triangle a b c, exact for every finite double: +1 counter-clockwise, -1 clockwise,

@@ -11,6 +11,25 @@
 
 namespace netwright {
 
+namespace {
+
+// Faces folded over onto each other (179.9 degrees and more) turn up as mountain or valley by rounding alone.
+constexpr double kDoubledOver = 3.1398472;
+
+// Is the neighbour's centre strictly below the face's plane? Newell's sum on the raw coordinates keeps exact
+// zeros zero.
+bool lies_below(const Mesh& m, HalfedgeId h) {
+  glm::dvec3 normal(0);
+  for (const HalfedgeId k : m.halfedges(m.face(h))) {
+    const glm::dvec3 a = m.position(m.prev(k));
+    const glm::dvec3 b = m.position(k);
+    normal += glm::dvec3((a.y - b.y) * (a.z + b.z), (a.z - b.z) * (a.x + b.x), (a.x - b.x) * (a.y + b.y));
+  }
+  return glm::dot(m.centre(m.neighbour(h)) - m.position(m.to(h)), normal) < 0;
+}
+
+}  // namespace
+
 DualGraph::DualGraph(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
   flatten_faces();
   split_faces();
@@ -86,7 +105,10 @@ void DualGraph::place_hinges() {
     const glm::dvec3 n = m.normal(m.face(h));
     const glm::dvec3 k = m.normal(m.face(t));
     const glm::dvec3 along = glm::normalize(m.position(m.to(h)) - m.position(h));
-    bend_[m.edge(h)] = std::atan2(glm::dot(glm::cross(n, k), along), glm::dot(n, k));
+    double& bend = bend_[m.edge(h)];
+    bend = std::atan2(glm::dot(glm::cross(n, k), along), glm::dot(n, k));
+    if (std::abs(bend) > kDoubledOver)
+      bend = lies_below(m, m.halfedge(m.edge(h))) ? std::abs(bend) : -std::abs(bend);
   }
   mean_valence_ = static_cast<double>(interior) / static_cast<double>(m.n_faces());
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/unfold/settle.h"
+
 namespace netwright {
 
 namespace {
@@ -97,6 +99,7 @@ FlatNet to_flat_net(const Net& net, double scale) {
     flat.face_source.push_back(mesh.face_source(f));
   }
   add_edges(net, point, flat);
+  settle(flat, mesh.mean_edge() * scale);
   return flat;
 }
 

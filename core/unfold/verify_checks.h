@@ -53,6 +53,23 @@ std::string face_name(const FlatNet& net, int face);
 
 using Faults = std::vector<std::string>;
 
+/// The first finding of a kind in full, the others as a number.
+class Findings {
+ public:
+  void add(const std::string& sentence) {
+    if (count_++ == 0) first_ = sentence;
+  }
+  void tell(Faults& faults) const {
+    if (count_ == 0) return;
+    const std::string others = count_ == 1 ? "." : " (and " + std::to_string(count_ - 1) + " more like it).";
+    faults.push_back(first_ + others);
+  }
+
+ private:
+  std::string first_;
+  int count_ = 0;
+};
+
 /// Can the net be judged at all: indices, counts, finite numbers, faces with area. Nothing else runs if not.
 bool check_structure(const FlatNet& net, Faults& faults);
 /// Fills everything in Subject up to mean_edge; faces without area are faults and end the proof.
