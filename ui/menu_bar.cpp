@@ -56,7 +56,9 @@ void file_menu(UiContext& context) {
 }
 
 void theme_menu(UiContext& context) {
-  if (!ImGui::BeginMenu("Theme")) return;
+  const bool is_open = ImGui::BeginMenu("Theme");
+  note_widget(context.ui, "menu/Theme");
+  if (!is_open) return;
   static constexpr std::array<const char*, 3> kNames{"As the desktop", "Light", "Dark"};
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     const auto choice = static_cast<ThemeChoice>(i);

@@ -1,0 +1,96 @@
+// What the interface says and remembers: texts of the status bar, the speed slider, keys, settings.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "tests/gui_support.h"
+#include "ui/actions.h"
+#include "ui/status.h"
+
+namespace netwright::testing {
+namespace {
+
+TEST(StatusWords, CountWithTheRightNumber) {
+  EXPECT_EQ(counted(1, "move", "moves"), "1 move");
+  EXPECT_EQ(counted(0, "move", "moves"), "0 moves");
+  EXPECT_EQ(counted(12000, "move", "moves"), "12\u2009000 moves");
+  EXPECT_EQ(grouped(1234567), "1\u2009234\u2009567");
+  EXPECT_EQ(grouped(999), "999");
+}
+
+TEST(StatusWords, GiveTimesInTheUnitThatFits) {
+  EXPECT_EQ(duration_text(0.0024), "2.4 ms");
+  EXPECT_EQ(duration_text(0.44), "0.4 s");
+  EXPECT_EQ(duration_text(12.2), "12 s");
+  EXPECT_EQ(duration_text(125), "2 min 5 s");
+}
+
+TEST(StatusWords, AnEmptySessionHasNoModel) {
+  const Session session([] { return 0.0; });
+  EXPECT_EQ(status_of(session).text, "no model");
+}
+
+TEST(SpeedSlider, GoesFromOneMoveASecondToFullSpeedAndBack) {
+  EXPECT_DOUBLE_EQ(speed_of_slider(0), 1);
+  EXPECT_TRUE(std::isinf(speed_of_slider(1)));
+  double before = 0;
+  for (double t = 0; t < 0.97; t += 0.05) {
+    const double speed = speed_of_slider(t);
+    EXPECT_GT(speed, before);
+    EXPECT_NEAR(slider_of_speed(speed), t, 1e-9);
+    before = speed;
+  }
+  EXPECT_EQ(speed_text(std::numeric_limits<double>::infinity()), "full speed");
+  EXPECT_EQ(speed_text(1), "one move a second");
+}
+
+TEST(Shortcuts, AreNamedAsOnTheKeyboardAndNeverTwice) {
+  EXPECT_EQ(shortcut_text(action(ActionId::Open).shortcut), "Ctrl+O");
+  EXPECT_EQ(shortcut_text(action(ActionId::Unfold).shortcut), "Space");
+  EXPECT_EQ(shortcut_text(action(ActionId::Stop).shortcut), "Esc");
+  EXPECT_EQ(shortcut_text(action(ActionId::ToggleSide).shortcut), "F9");
+  EXPECT_EQ(shortcut_text(action(ActionId::Keys).shortcut), "?");
+  std::map<std::string, std::string_view> owner;
+  for (const Action& entry : actions()) {
+    const std::string keys = shortcut_text(entry.shortcut);
+    if (keys.empty()) continue;
+    EXPECT_TRUE(owner.emplace(keys, entry.name).second)
+        << keys << ": " << owner[keys] << " and " << entry.name;
+  }
+}
+
+TEST(SettingsFile, ComesBackAsItWasSaved) {
+  const TemporaryFolder folder;
+  Settings settings;
+  settings.theme = ThemeChoice::Dark;
+  settings.scale_percent = 150;
+  settings.splitter = 0.25F;
+  settings.show_tree = false;
+  settings.recent = {"/tmp/a b.obj", "/tmp/ü.stl"};
+  const auto file = folder.path() / "deep" / "settings.conf";
+  ASSERT_TRUE(save_settings(settings, file));
+  EXPECT_EQ(load_settings(file), settings);
+}
+
+TEST(SettingsFile, NonsenseMeansTheDefaults) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(load_settings(folder.path() / "none"), Settings());
+  const auto file = folder.write(
+      "settings.conf", "theme = purple\nscale_percent = -3\nsplitter = 7\nshow_tree = maybe\n===\nx\n");
+  EXPECT_EQ(load_settings(file), Settings());
+}
+
+TEST(SettingsFile, RemembersEachFileOnceAndOnlyTheLatest) {
+  Settings settings;
+  for (int i = 0; i < 20; ++i) remember(settings, "/tmp/" + std::to_string(i) + ".obj");
+  remember(settings, "/tmp/15.obj");
+  EXPECT_EQ(settings.recent.size(), Settings::kMaxRecent);
+  EXPECT_EQ(settings.recent.front(), "/tmp/15.obj");
+  EXPECT_EQ(std::count(settings.recent.begin(), settings.recent.end(), "/tmp/15.obj"), 1);
+}
+
+}  // namespace
+}  // namespace netwright::testing
