@@ -19,9 +19,9 @@ namespace netwright {
 namespace {
 
 constexpr int kCancelled = 130;
-constexpr double kPatience_s = 2;
+constexpr double kPatienceSeconds = 2;
 constexpr auto kGlance = std::chrono::milliseconds(20);
-constexpr double kRedraw_s = 0.1;
+constexpr double kRedrawSeconds = 0.1;
 
 /// The result of a finished job travels through this.
 struct Ending {
@@ -88,12 +88,12 @@ Watched run_watched(const Interrupts& interrupts, const std::function<void(Progr
       interrupted_at = now;
       progress->cancel();
     }
-    if (seen.was_interrupted && now - interrupted_at > kPatience_s) std::_Exit(kCancelled);
+    if (seen.was_interrupted && now - interrupted_at > kPatienceSeconds) std::_Exit(kCancelled);
     if (time_limit_s && !seen.was_out_of_time && now - start >= *time_limit_s) {
       seen.was_out_of_time = true;
       progress->cancel();
     }
-    if (line != nullptr && now - shown_at >= kRedraw_s) {
+    if (line != nullptr && now - shown_at >= kRedrawSeconds) {
       shown_at = now;
       line->show(now - start);
     }
