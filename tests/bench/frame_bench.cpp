@@ -1,0 +1,94 @@
+// How the editor feels while a search runs, drawn in software at 1600x1000: the time of a frame with 800
+// faces and a new net in every frame, and how long Stop takes on a search at full speed. The promise is a
+// median frame under 120 ms and a stop within 100 ms.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "app/application.h"
+#include "app/window_headless.h"
+#include "core/mesh/shapes.h"
+
+namespace {
+
+using namespace netwright;
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void open_shape(Application& app, const PolygonSoup& soup) {
+  app.session().open_bytes("shape.obj", shapes::to_obj(soup));
+  while (app.session().state() != RunState::Idle) app.turn(0.01);
+  for (int i = 0; i < 5; ++i) app.draw();
+}
+
+void report(const char* what, std::vector<double> values) {
+  if (values.empty()) {
+    std::printf("%-28s no values\n", what);
+    return;
+  }
+  std::sort(values.begin(), values.end());
+  std::printf("%-28s median %6.1f ms   worst %6.1f ms   of %zu\n", what, values[values.size() / 2] * 1000,
+              values.back() * 1000, values.size());
+}
+
+void measure_frames(Application& app) {
+  constexpr int kFrames = 60;
+  open_shape(app, shapes::bumpy_patch(20, 20));
+  app.session().set_speed(60);  // a move, and so a new net, in nearly every frame
+  app.session().unfold();
+  std::vector<double> times;
+  std::vector<double> times_of_new_nets;
+  while (static_cast<int>(times.size()) < kFrames && app.session().state() == RunState::Running) {
+    const auto before_net = app.session().shown();
+    app.session().poll();
+    const bool is_new = app.session().shown() != before_net;
+    const double before = seconds();
+    app.draw();
+    times.push_back(seconds() - before);
+    if (is_new) times_of_new_nets.push_back(times.back());
+  }
+  report("frame, 800 faces, searching", times);
+  report("  of these, with a new net", times_of_new_nets);
+  app.session().stop();
+  while (app.session().state() != RunState::Idle) app.turn(0.01);
+}
+
+void measure_stops(Application& app, const char* what, const PolygonSoup& soup, double speed) {
+  constexpr int kStops = 10;
+  open_shape(app, soup);
+  app.session().set_speed(speed);
+  std::vector<double> times;
+  for (int i = 0; i < kStops; ++i) {
+    app.session().set_seed(static_cast<std::uint64_t>(i));
+    app.session().unfold();
+    const double start = seconds();
+    while (seconds() - start < 0.3 && app.session().state() == RunState::Running) app.turn(0.01);
+    if (app.session().state() != RunState::Running) continue;
+    const double before = seconds();
+    app.session().stop();
+    while (app.session().state() == RunState::Running) {
+      app.session().poll();
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    times.push_back(seconds() - before);
+    app.session().skip_replay();
+  }
+  report(what, times);
+}
+
+}  // namespace
+
+int main() {
+  HeadlessWindow window({"Netwright", {1600, 1000}});
+  Application app(window, seconds, {});
+  measure_frames(app);
+  measure_stops(app, "stop, 800 faces, watched", shapes::bumpy_patch(20, 20), 60);
+  measure_stops(app, "stop, 3200 faces, full speed", shapes::bumpy_patch(40, 40),
+                std::numeric_limits<double>::infinity());
+  return 0;
+}
