@@ -88,7 +88,7 @@ std::filesystem::path real_target(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, ignored))
     throw Error(ErrorKind::Write, path.string() + " cannot be written: it is a folder; add a file name.");
   if (std::filesystem::is_symlink(path, ignored)) {
-    const std::filesystem::path real = std::filesystem::weakly_canonical(path, ignored);
+    std::filesystem::path real = std::filesystem::weakly_canonical(path, ignored);
     if (!ignored) return real;
   }
   return path;

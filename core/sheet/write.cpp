@@ -67,7 +67,7 @@ std::vector<path> write_drawing(const path& file, const Net& net, const PageLayo
     throw Error(ErrorKind::Usage,
                 file.string() + " names no format that can be written; end it in one of " + known + ".");
   }
-  const std::string title = info.title.empty() ? net.mesh().name() : info.title;
+  const std::string title = info.title.empty() ? path(net.mesh().name()).stem().string() : info.title;
   if (extension == ".fold") {
     FlatNet flat = to_flat_net(spread_pieces(net), layout.scale);
     flat.title = title;
