@@ -176,7 +176,7 @@ void Dialogs::draw_export(UiContext& context) {
 
 void Dialogs::draw_keys(UiContext& context) {
   UiState& ui = context.ui;
-  if (!begin_window(ui, 640, 620)) return;
+  if (!begin_window(ui, 640, 672)) return;
   ImGui::BeginChild("keys", ImVec2(0, ImGui::GetContentRegionAvail().y - ui.look.px(44)));
   if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
     for (const Action& entry : actions()) {
@@ -198,7 +198,7 @@ void Dialogs::draw_keys(UiContext& context) {
 
 void Dialogs::draw_about(UiContext& context) {
   UiState& ui = context.ui;
-  if (!begin_window(ui, 520, 300)) return;
+  if (!begin_window(ui, 520, 290)) return;
   text_muted(ui, "Version " NETWRIGHT_VERSION);
   ImGui::TextWrapped(
       "Unfolds a 3-D model into one piece of paper without overlaps, shows how it is found, and prints it to "

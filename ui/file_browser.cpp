@@ -159,7 +159,7 @@ void FileBrowser::draw_places(UiState& ui) {
     ImGui::PopID();
   };
   place(icon::kHome, "Home", home_folder());
-  place(icon::kFolder, "Here", fs::current_path(error));
+  place(icon::kFolder, "Current folder", fs::current_path(error));
   place(icon::kFolder, "Computer", folder_.root_path());
   std::vector<fs::path> seen;
   for (const fs::path& file : ui.settings.recent) {

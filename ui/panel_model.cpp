@@ -31,6 +31,7 @@ void panel_model(UiContext& context) {
     return;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), ui.look.px(4)));
+  ImGui::Dummy(ImVec2(0, 0));
   for (const MeshReport::Line& line : report->lines) report_line(ui, line);
   ImGui::PopStyleVar();
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "assets/icons.h"
 #include "core/base/paper.h"
 #include "ui/panels.h"
 #include "ui/status.h"
@@ -15,12 +16,21 @@ std::string size_text(const PaperFormat& format) {
          std::to_string(static_cast<int>(format.height_mm + 0.5)) + " mm";
 }
 
+/// Over the right end of the last item, lighter than ImGui's own triangle.
+void draw_chevron(const UiState& ui) {
+  const ImVec2 max = ImGui::GetItemRectMax();
+  const float y = (ImGui::GetItemRectMin().y + max.y - ImGui::GetTextLineHeight()) / 2;
+  ImGui::GetWindowDrawList()->AddText(ImVec2(max.x - ui.look.px(28), y), ui.look.colours.muted,
+                                      icon::kChevronDown);
+}
+
 void format_row(UiContext& c) {
   const UiState& ui = c.ui;
   ImGui::SetNextItemWidth(row(ui, "Format") - ui.look.px(16));
   PaperSetup paper = c.session.project().paper;
-  const bool is_open = ImGui::BeginCombo("##format", paper.format.c_str());
+  const bool is_open = ImGui::BeginCombo("##format", paper.format.c_str(), ImGuiComboFlags_NoArrowButton);
   note_widget(ui, "paper/format");
+  if (!is_open) draw_chevron(ui);
   if (!is_open) return;
   for (const PaperFormat& format : paper_formats()) {
     const std::string name(format.name);

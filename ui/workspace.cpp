@@ -154,7 +154,7 @@ void Workspace::draw(Session& session, UiState& ui) {
     ImGui::GetWindowDrawList()->AddLine(ImVec2(0, bottom), ImVec2(window.x, bottom), ui.look.colours.border);
     draw_status_bar(context);
   });
-  draw_toasts(ui, ImVec2(window.x, bottom));
+  draw_toasts(ui, ImVec2(window.x, bottom - ui.look.px(36)));
   dialogs_.draw(context);
   if (ui.hovered != hovered_before) ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }

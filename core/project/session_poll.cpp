@@ -25,10 +25,14 @@ std::string counted(std::int64_t n, const std::string& one, const std::string& m
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-std::string seconds_text(double seconds) {
+std::string duration_text(double seconds) {
+  if (seconds < 0.001) return "under 1 ms";
   char text[32];
-  const int decimals = seconds < 0.1 ? 3 : (seconds < 10 ? 1 : 0);
-  std::snprintf(text, sizeof text, "%.*f s", decimals, seconds);
+  if (seconds < 1) {
+    std::snprintf(text, sizeof text, "%.0f ms", seconds * 1000);
+  } else {
+    std::snprintf(text, sizeof text, "%.*f s", seconds < 10 ? 1 : 0, seconds);
+  }
   return text;
 }
 
@@ -37,7 +41,7 @@ std::string good_news_of(const Mesh& mesh, const RunSummary& run) {
                                 ? std::string("one piece")
                                 : counted(static_cast<std::int64_t>(mesh.n_components()), "piece", "pieces");
   return counted(static_cast<std::int64_t>(mesh.n_faces()), "face", "faces") + " in " + parts +
-         ", proved free of overlaps (seed " + std::to_string(run.seed) + ", " + seconds_text(run.seconds) +
+         ", proved free of overlaps (seed " + std::to_string(run.seed) + ", " + duration_text(run.seconds) +
          ").";
 }
 
@@ -47,7 +51,7 @@ std::string unfinished_news(const SolveResult& result, const RunFigures& figures
            " Try a new seed.";
   return counted(static_cast<std::int64_t>(result.overlaps.size()), "overlap", "overlaps") + " left " +
          (is_timed_out ? "at the time limit" : "when the search was stopped") + ", after " +
-         seconds_text(figures.seconds) + ": let it run longer or try a new seed.";
+         duration_text(figures.seconds) + ": let it run longer or try a new seed.";
 }
 
 std::string export_news(const std::vector<std::filesystem::path>& files, std::size_t n_pages) {
@@ -58,6 +62,23 @@ std::string export_news(const std::vector<std::filesystem::path>& files, std::si
   const bool has_pages = files.front().extension() == ".pdf" || files.front().extension() == ".PDF";
   if (!has_pages) return "Saved " + first;
   return "Saved " + first + ", " + counted(static_cast<std::int64_t>(n_pages), "page", "pages");
+}
+
+/// The chart of a finished search, thinned to as many values as a running one has.
+void take_history(const std::vector<Episode>& log, RunFigures& figures) {
+  constexpr std::size_t kMaxValues = 2000;
+  std::vector<int> history;
+  for (const Episode& episode : log) {
+    if (history.empty()) history.push_back(episode.overlaps_at_start);
+    for (const MoveRecord& move : episode.moves) history.push_back(move.overlaps_after);
+  }
+  if (history.empty()) return;
+  const std::size_t stride = (history.size() + kMaxValues - 1) / kMaxValues;
+  figures.overlaps_at_start = history.front();
+  figures.history.clear();
+  for (std::size_t i = 0; i < history.size(); i += stride) figures.history.push_back(history[i]);
+  if ((history.size() - 1) % stride != 0) figures.history.push_back(history.back());
+  figures.history_stride = static_cast<std::int64_t>(stride);
 }
 
 }  // namespace
@@ -207,6 +228,8 @@ void Session::Impl::finish_run(const SearchRun::Outcome& outcome) {
   last_figures->seconds = summary.seconds;
   if (summary.seconds > 0)
     last_figures->moves_per_second = static_cast<double>(summary.moves) / summary.seconds;
+  // A search that was told to stop while it waited had not shown its last moves: the log has them all.
+  if (result.is_proved) take_history(result.log, *last_figures);
   if (!result.is_proved) {
     show_unfinished(result);
     return;
