@@ -21,10 +21,10 @@ constexpr double kRateBlend = 0.4;
 }  // namespace
 
 SearchRun::SearchRun(Worker& worker, std::shared_ptr<const DualGraph> dual, const SolveOptions& options,
-                     std::shared_ptr<const Bell> bell, Start start, double speed, double now)
+                     const std::shared_ptr<const Bell>& bell, Start start, double speed, double now)
     : dual_(std::move(dual)),
       options_(options),
-      channel_(std::make_shared<Channel>(std::move(bell))),
+      channel_(std::make_shared<Channel>(bell)),
       is_paused_(start == Start::Paused),
       was_slowed_(is_paused_ || std::isfinite(speed)),
       speed_(speed),

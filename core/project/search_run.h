@@ -27,7 +27,7 @@ class SearchRun {
 
   /// Queues the job; `now` is the session's clock and `speed` the moves a second it starts with.
   SearchRun(Worker& worker, std::shared_ptr<const DualGraph> dual, const SolveOptions& options,
-            std::shared_ptr<const Bell> bell, Start start, double speed, double now);
+            const std::shared_ptr<const Bell>& bell, Start start, double speed, double now);
   ~SearchRun();
   SearchRun(const SearchRun&) = delete;
   SearchRun& operator=(const SearchRun&) = delete;
@@ -56,7 +56,7 @@ class SearchRun {
  private:
   /// What the job shares with this object; it outlives whichever goes first.
   struct Channel {
-    explicit Channel(std::shared_ptr<const Bell> bell)
+    explicit Channel(const std::shared_ptr<const Bell>& bell)
         : snapshots([bell] { bell->ring(); }), outcome([bell] { bell->ring(); }) {}
     Mailbox<Snapshot> snapshots;
     Mailbox<Outcome> outcome;

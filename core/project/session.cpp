@@ -30,7 +30,7 @@ void Session::Impl::start_run(SearchRun::Start start) {
   options.seed = project().seed;
   options.streams = streams;
   options.root = project().pinned_root;
-  is_timed_out = was_stopped = false;
+  is_timed_out = false;
   run.reset();  // its job is told to end before the new one is queued
   run = std::make_unique<SearchRun>(worker, project().dual, options, bell, start, speed, clock());
 }
@@ -142,9 +142,7 @@ void Session::step() {
 
 void Session::stop() {
   impl_->end_replay();
-  if (!impl_->run) return;
-  impl_->was_stopped = true;
-  impl_->run->cancel();
+  if (impl_->run) impl_->run->cancel();
 }
 
 void Session::new_seed() {

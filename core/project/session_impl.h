@@ -81,7 +81,6 @@ struct Session::Impl {
 
   std::unique_ptr<SearchRun> run;
   bool is_timed_out = false;
-  bool was_stopped = false;
   std::optional<Playing> playing;
   std::string good_news;                    ///< said when the replay is over
   std::shared_ptr<const ShownNet> moving;   ///< the picture of the run or the replay that goes on
