@@ -21,6 +21,10 @@ int n_threads(const SolveOptions& options) {
   return std::clamp(wanted, 1, std::max(1, options.streams));
 }
 
+SearchSettings settings(const SolveOptions& options) {
+  return options.search == SearchStyle::Paper ? SearchSettings::paper() : SearchSettings::fast();
+}
+
 class SolveJob {
  public:
   SolveJob(std::shared_ptr<const DualGraph> dual, const SolveOptions& options, Progress& progress,
@@ -49,8 +53,8 @@ class SolveJob {
     portfolios_.clear();
     for (std::size_t c = 0; c < models_.size(); ++c) {
       const std::uint64_t first_stream = (static_cast<std::uint64_t>(attempt) << 48) + (c << 16);
-      portfolios_.push_back(std::make_unique<Portfolio>(
-          *dual_, models_[c], SearchSettings::fast(), options_.seed, options_.streams, first_stream, pool_));
+      portfolios_.push_back(std::make_unique<Portfolio>(*dual_, models_[c], settings(options_), options_.seed,
+                                                        options_.streams, first_stream, pool_));
       whole_.set(models_[c], portfolios_[c]->stream(portfolios_[c]->lead()).state().folds());
     }
     Showing showing(whole_, models_, portfolios_, hooks_);

@@ -16,8 +16,15 @@
 
 namespace netwright {
 
+/// Which search unfolds. Both end in nets that pass the same proof.
+enum class SearchStyle {
+  Fast,   ///< greedy start, two-sided moves, bounded worsening (the default)
+  Paper,  ///< as the paper has it: steepest-edge start, random roots, every worsening move taken
+};
+
 struct SolveOptions {
   std::uint64_t seed = 0;
+  SearchStyle search = SearchStyle::Fast;
   int streams = 2;                  ///< independent searches; part of what decides the answer
   int threads = 0;                  ///< how many run them (0: as many as streams and cores); never decides it
   FaceId root;                      ///< pinned: layout and tree start there
