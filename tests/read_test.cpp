@@ -138,6 +138,24 @@ TEST(Read, RefusesWhatIsNoFile) {
   EXPECT_NE(refusal("/dev/null").find("not a regular file"), std::string::npos);
 }
 
+TEST(Read, SpeaksCleanTextWhateverTheFileSays) {
+  const auto said = [](const std::string& name, const std::string& text) {
+    try {
+      read_soup_bytes(name, text);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_NE(said("a.obj",
+                 "v 0 \xFF\x01"
+                 "7 0\n")
+                .find("\"??7\""),
+            std::string::npos);
+  EXPECT_NE(said("a.obj", "v 0 \xC3\xA9\xE7\xAE\xB1\xED\xA0\x80 0\n").find("\"é箱???\""), std::string::npos);
+  EXPECT_EQ(said("\xC0\xAF.obj", "").rfind("??.obj: ", 0), 0U);
+}
+
 TEST(ModelFormats, ListEachExtensionOnce) {
   std::vector<std::string_view> extensions;
   for (const ModelFormat& format : model_formats()) {

@@ -16,9 +16,43 @@
 namespace netwright {
 
 namespace readers {
+namespace {
+
+/// How many bytes the UTF-8 character at the start of the text takes; 0 when there is none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return lead >= 0x20 && lead != 0x7F ? 1 : 0;
+  const std::size_t length = lead >= 0xF0 ? 4 : (lead >= 0xE0 ? 3 : 2);
+  unsigned code = lead & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+    code = code << 6 | (byte(i) & 0x3FU);
+  }
+  constexpr std::array<unsigned, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  const bool is_character = lead >= 0xC2 && lead < 0xF5 && code >= kLeast[length] && code < 0x110000 &&
+                            (code < 0xD800 || code > 0xDFFF);
+  return is_character ? length : 0;
+}
+
+}  // namespace
+
+std::string readable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) {
+      shown += '?';
+    } else {
+      shown += text.substr(0, length);
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return shown;
+}
 
 void refuse(const std::string& name, const std::string& what) {
-  throw Error(ErrorKind::Read, name + ": " + what);
+  throw Error(ErrorKind::Read, readable(name + ": " + what));
 }
 
 }  // namespace readers
@@ -256,7 +290,9 @@ PolygonSoup read_soup_bytes(const std::string& name, std::string_view bytes,
   const Kind kind = kind_of(name, bytes);
   const CompanionLookup none = [](const std::string&) { return std::nullopt; };
   PolygonSoup soup = read_kind(kind, name, bytes, companions ? companions : none);
-  soup.name = name;
+  soup.name = readers::readable(name);
+  for (std::string& notice : soup.notices) notice = readers::readable(notice);
+  for (Material& material : soup.materials) material.name = readers::readable(material.name);
   soup.up_axis = kFormats[static_cast<std::size_t>(kind)].up_axis;
   check_soup(name, soup);
   clean_uv(soup);

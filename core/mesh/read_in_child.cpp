@@ -17,6 +17,7 @@ std::filesystem::path helper() { return program_folder() / "netwright-read"; }
 /// What Assimp said, as the middle of a sentence.
 std::string as_clause(std::string_view said) {
   constexpr std::size_t kLongest = 100;
+  said = said.substr(0, said.find(" for $$$"));  // its made-up name for bytes in memory
   std::string clause(said.substr(0, std::min(said.find('\n'), kLongest)));
   if (said.size() > kLongest && clause.size() == kLongest) clause += " …";
   while (!clause.empty() && (clause.back() == '.' || clause.back() == '!' || clause.back() == ' ')) {

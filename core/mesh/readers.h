@@ -9,7 +9,10 @@
 
 namespace netwright::readers {
 
-/// Throws Error(Read) with "name: what".
+/// Text from a file, fit to be shown: control characters and what is no UTF-8 become '?'.
+std::string readable(std::string_view text);
+
+/// Throws Error(Read) with "name: what", made readable.
 [[noreturn]] void refuse(const std::string& name, const std::string& what);
 
 PolygonSoup read_obj(const std::string& name, std::string_view bytes, const CompanionLookup& companions);
