@@ -202,6 +202,25 @@ TEST(Prepare, TellsWhatItDid) {
   EXPECT_EQ(notices[1], "A picture was missing.");
 }
 
+TEST(Prepare, KeepsClosedPartsApartThatOnlyTouch) {
+  for (const glm::dvec3 shift : {glm::dvec3(1, 1, 1), glm::dvec3(1, 1, 0), glm::dvec3(1, 0, 0)}) {
+    const PreparedModel model = prepare(shapes::combined(shapes::cube(), shapes::cube(), shift));
+    ASSERT_TRUE(model.is_fit()) << model.refusal;
+    EXPECT_EQ(model.report.n_components, 2);
+    EXPECT_EQ(model.report.n_vertices, 16);
+  }
+}
+
+TEST(Prepare, DoesNotTakeLooseFacesForAModel) {
+  PolygonSoup soup = torn(shapes::cube());
+  soup.is_indexed = true;
+  soup.points.emplace_back(2, 2, 2);
+  soup.add_face(std::vector<int>{0, 1, static_cast<int>(soup.points.size()) - 1});
+  const PreparedModel model = prepare(soup);
+  EXPECT_FALSE(model.mesh);
+  EXPECT_NE(model.refusal.find("has 3 faces"), std::string::npos) << model.refusal;
+}
+
 TEST(Prepare, HandsBackTheMeshOfAModelWithUnevenFaces) {
   PolygonSoup soup = shapes::cube();
   soup.points[0] += glm::dvec3(0.1, 0.1, 0.1);

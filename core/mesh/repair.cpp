@@ -265,30 +265,53 @@ std::vector<bool> orient(PolygonSoup& soup) {
   return turned;
 }
 
-PreparedModel prepare(PolygonSoup soup) {
-  PreparedModel model;
+namespace {
+
+/// One try at a mesh: what it took, or why there is none.
+struct Attempt {
+  PolygonSoup soup;
+  std::shared_ptr<const Mesh> mesh;
+  std::string refusal;
   int n_merged = 0;
   std::ptrdiff_t n_turned = 0;
+};
+
+Attempt build(const PolygonSoup& soup, bool merges_points) {
+  Attempt attempt{.soup = soup, .mesh = nullptr, .refusal = {}};
   try {
-    refuse_lost_size(soup);
-    n_merged = weld(soup);
-    refuse_doubled_faces(soup);
-    const std::vector<bool> turned = orient(soup);
-    n_turned = std::ranges::count(turned, true);
-    model.mesh = std::make_shared<const Mesh>(soup, turned);
-    model.report = report_on(*model.mesh);
-    if (model.report.n_uneven_faces > 0) model.refusal = uneven_sentence(*model.mesh, model.report);
+    refuse_lost_size(attempt.soup);
+    if (merges_points) attempt.n_merged = weld(attempt.soup);
+    refuse_doubled_faces(attempt.soup);
+    const std::vector<bool> turned = orient(attempt.soup);
+    attempt.n_turned = std::ranges::count(turned, true);
+    attempt.mesh = std::make_shared<const Mesh>(attempt.soup, turned);
   } catch (const Error& error) {
-    model.refusal = error.what();
-    model.report = report_on(soup, model.refusal);
+    attempt.refusal = error.what();
+    attempt.n_turned = 0;
   }
-  if (soup.is_indexed && n_merged > 0) {
-    add_notice(model.report,
-               counted(n_merged, "point lies", "points lie") + " where another one is; they were merged.");
+  return attempt;
+}
+
+}  // namespace
+
+PreparedModel prepare(const PolygonSoup& soup) {
+  const bool is_indexed = soup.is_indexed;
+  Attempt attempt = build(soup, true);
+  if (!attempt.mesh && is_indexed && attempt.n_merged > 0) {
+    // Closed parts that touch are apart in the file already; nobody should be told to part them.
+    Attempt apart = build(soup, false);
+    if (apart.mesh && apart.mesh->is_closed()) attempt = std::move(apart);
   }
-  if (n_turned > 0) {
-    add_notice(model.report,
-               counted(n_turned, "face was", "faces were") + " turned over to face outward like the rest.");
+  PreparedModel model{.mesh = attempt.mesh, .report = {}, .refusal = attempt.refusal};
+  model.report = model.mesh ? report_on(*model.mesh) : report_on(attempt.soup, model.refusal);
+  if (model.report.n_uneven_faces > 0) model.refusal = uneven_sentence(*model.mesh, model.report);
+  if (is_indexed && attempt.n_merged > 0) {
+    add_notice(model.report, counted(attempt.n_merged, "point lies", "points lie") +
+                                 " where another one is; they were merged.");
+  }
+  if (attempt.n_turned > 0) {
+    add_notice(model.report, counted(attempt.n_turned, "face was", "faces were") +
+                                 " turned over to face outward like the rest.");
   }
   for (const std::string& notice : soup.notices) add_notice(model.report, notice);
   return model;

@@ -31,6 +31,7 @@ struct PreparedModel {
 };
 
 /// Weld, orient, build, report. Never throws for a bad model; face f of the mesh is face f of the file.
-PreparedModel prepare(PolygonSoup soup);
+/// Closed parts that have points of their own in the file and merely touch are kept apart.
+PreparedModel prepare(const PolygonSoup& soup);
 
 }  // namespace netwright
