@@ -283,6 +283,18 @@ TEST(Gui, ABrokenFileIsExplainedAndTheModelStays) {
   EXPECT_TRUE(gui.ui().error.empty());
 }
 
+TEST(Gui, AnOpeningThatWasGivenUpLeavesThePresentModel) {
+  Gui gui;
+  const TemporaryFolder folder;
+  gui.open_sample("Cube");
+  gui.session().open(folder.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n"));
+  EXPECT_EQ(gui.session().state(), RunState::Opening);
+  gui.session().cancel_opening();
+  EXPECT_EQ(gui.session().state(), RunState::Idle);
+  gui.frames(30);
+  EXPECT_EQ(gui.session().project().dual->mesh().n_faces(), 6U);
+}
+
 TEST(Gui, DroppingAModelOpensIt) {
   Gui gui;
   const TemporaryFolder folder;

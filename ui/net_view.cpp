@@ -1,10 +1,11 @@
 // The net's view. As long as the user has not moved the camera it keeps the whole net in sight.
 #include "ui/net_view.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "assets/icons.h"
+#include "ui/legend.h"
 #include "ui/status.h"
 #include "ui/widgets.h"
 
@@ -20,99 +21,6 @@ bool needs_framing(const PanZoomCamera& camera, const Box2& box) {
       box.min.x < seen.min.x || box.min.y < seen.min.y || box.max.x > seen.max.x || box.max.y > seen.max.y;
   const glm::dvec2 share = box.size() / seen.size();
   return is_outside || std::max(share.x, share.y) < kTooSmall;
-}
-
-float legend_height(const UiState& ui) { return ui.look.px(40); }
-
-struct LegendItem {
-  const char* label;
-  void (*draw)(ImDrawList&, const Palette&, ImVec2 min, ImVec2 max, float scale);
-};
-
-void draw_dashes(ImDrawList& draw, ImVec2 from, float to_x, ImU32 colour, float scale,
-                 std::initializer_list<float> dash) {
-  float x = from.x;
-  bool is_ink = true;
-  while (x < to_x) {
-    for (const float length : dash) {
-      const float end = std::min(x + length * scale, to_x);
-      if (is_ink && end > x) draw.AddLine(ImVec2(x, from.y), ImVec2(end, from.y), colour, 1.5F * scale);
-      is_ink = !is_ink;
-      x = end;
-    }
-  }
-}
-
-void draw_swatch(ImDrawList& draw, const Palette& colours, ImVec2 min, ImVec2 max, float scale) {
-  draw.AddRectFilled(min, max, to_u32(colours.paper), 2 * scale);
-}
-
-constexpr std::array<LegendItem, 6> kLegend{
-    LegendItem{"cut",
-               [](ImDrawList& draw, const Palette& p, ImVec2 min, ImVec2 max, float scale) {
-                 const ImVec2 from(min.x + 4 * scale, (min.y + max.y) / 2);
-                 draw_dashes(draw, from, max.x - 4 * scale, to_u32(p.cut), scale, {100, 0});
-               }},
-    LegendItem{"mountain",
-               [](ImDrawList& draw, const Palette& p, ImVec2 min, ImVec2 max, float scale) {
-                 const ImVec2 from(min.x + 4 * scale, (min.y + max.y) / 2);
-                 draw_dashes(draw, from, max.x - 4 * scale, to_u32(p.mountain), scale, {6, 2, 2, 2});
-               }},
-    LegendItem{"valley",
-               [](ImDrawList& draw, const Palette& p, ImVec2 min, ImVec2 max, float scale) {
-                 const ImVec2 from(min.x + 4 * scale, (min.y + max.y) / 2);
-                 draw_dashes(draw, from, max.x - 4 * scale, to_u32(p.valley), scale, {4, 3});
-               }},
-    LegendItem{"tree",
-               [](ImDrawList& draw, const Palette& p, ImVec2 min, ImVec2 max, float scale) {
-                 const ImVec2 from(min.x + 4 * scale, (min.y + max.y) / 2);
-                 draw_dashes(draw, from, max.x - 4 * scale, to_u32(p.tree), scale, {100, 0});
-               }},
-    LegendItem{"root",
-               [](ImDrawList& draw, const Palette& p, ImVec2 min, ImVec2 max, float scale) {
-                 const ImVec2 middle((min.x + max.x) / 2, (min.y + max.y) / 2);
-                 draw.AddCircleFilled(middle, 4.5F * scale, to_u32(p.root), 16);
-                 draw.AddCircle(middle, 4.5F * scale, to_u32(p.root_rim), 16, 1.5F * scale);
-               }},
-    LegendItem{"overlap",
-               [](ImDrawList& draw, const Palette& p, ImVec2 min, ImVec2 max, float scale) {
-                 draw.AddRectFilled(min, max, to_u32(p.overlap), 2 * scale);
-                 draw.PushClipRect(min, max, true);
-                 const float height = max.y - min.y;
-                 for (float x = min.x - height; x < max.x; x += 5 * scale) {
-                   draw.AddLine(ImVec2(x, max.y), ImVec2(x + height, min.y), to_u32(p.overlap_hatch),
-                                1.5F * scale);
-                 }
-                 draw.PopClipRect();
-               }},
-};
-
-bool is_listed(const LegendItem& item, const UiState& ui, bool has_overlaps) {
-  const std::string_view label = item.label;
-  if (label == "tree") return ui.settings.show_tree;
-  if (label == "root") return ui.settings.show_root;
-  if (label == "overlap") return ui.settings.show_overlaps && has_overlaps;
-  return true;
-}
-
-float swatch_width(const UiState& ui, const LegendItem& item) {
-  const std::string_view label = item.label;
-  return ui.look.px(label == "root" || label == "overlap" ? 16 : 32);
-}
-
-/// Between two entries: less where the view is narrow, so that all of them stay.
-float legend_gap(const UiState& ui, bool has_overlaps, float width) {
-  float used = ui.look.px(32);
-  int entries = 0;
-  ImFont* font = ui.look.fonts.small;
-  for (const LegendItem& item : kLegend) {
-    if (!is_listed(item, ui, has_overlaps)) continue;
-    used += swatch_width(ui, item) + ui.look.px(6) +
-            font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, item.label).x;
-    ++entries;
-  }
-  const float each = (width - used) / static_cast<float>(std::max(entries - 1, 1));
-  return std::clamp(each, ui.look.px(4), ui.look.px(16));
 }
 
 }  // namespace
@@ -174,35 +82,6 @@ void NetView::paint(const UiContext& context, const Scene& scene, Renderers& ren
   renderers.tree.draw_on_net(camera_, colours, tree);
 }
 
-void NetView::legend(const UiContext& context, const Scene& scene) {
-  const UiState& ui = context.ui;
-  const Look& look = ui.look;
-  const Palette& colours = palette_of(ui);
-  const ImVec2 min = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, legend_height(ui));
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 max(min.x + size.x, min.y + size.y);
-  draw.AddRectFilled(min, max, to_u32(colours.desk));
-  if (scene.net() == nullptr) return;
-  ImFont* font = look.fonts.small;
-  const bool has_overlaps = !scene.shown()->overlaps.empty();
-  const float gap = legend_gap(ui, has_overlaps, size.x);
-  float x = min.x + look.px(16);
-  const float middle = min.y + size.y / 2;
-  for (const LegendItem& item : kLegend) {
-    if (!is_listed(item, ui, has_overlaps)) continue;
-    const ImVec2 extent = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, item.label);
-    const ImVec2 corner(x, std::floor(middle - look.px(8)));
-    const ImVec2 end(x + swatch_width(ui, item), corner.y + look.px(16));
-    draw_swatch(draw, colours, corner, end, look.scale);
-    item.draw(draw, colours, corner, end, look.scale);
-    x = end.x + look.px(6);
-    draw.AddText(font, font->FontSize, ImVec2(x, std::floor(middle - extent.y / 2)), look.colours.text,
-                 item.label);
-    x += extent.x + gap;
-  }
-}
-
 void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers) {
   UiState& ui = context.ui;
   const std::string state = scene.net() == nullptr ? "" : status_of(context.session).in_short;
@@ -226,7 +105,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   ImGui::GetWindowDrawList()->AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y),
                                        ImVec2(0, 1), ImVec2(1, 0));
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
-  legend(context, scene);
+  draw_legend(ui, scene.shown().get());
 }
 
 }  // namespace netwright

@@ -18,7 +18,6 @@ class NetView {
   void follow_net(UiContext& context, const Scene& scene);
   void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
   void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
-  void legend(const UiContext& context, const Scene& scene);
 
   PanZoomCamera camera_;
   bool is_moved_by_user_ = false;  ///< then nets are no longer framed by themselves

@@ -16,7 +16,7 @@ void report_line(const UiState& ui, const MeshReport::Line& line) {
     ImGui::PopStyleColor();
     ImGui::SameLine(left + ui.look.px(24));
   }
-  ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - ui.look.px(16));
+  ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - ui.look.px(16));
   ImGui::TextUnformatted(line.text.c_str());
   ImGui::PopTextWrapPos();
 }

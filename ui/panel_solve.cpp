@@ -85,10 +85,15 @@ void panel_solve(UiContext& context) {
   const RunFigures figures = context.session.figures();
   if (figures.history.empty()) return;
   ImGui::Dummy(ImVec2(0, ui.look.px(4)));
+  if (figures.moves == 0 && figures.overlaps == 0) {
+    text_muted(ui, "The first net had no overlaps.");
+    return;
+  }
   ImGui::TextUnformatted("Overlaps");
   ImGui::PushFont(ui.look.fonts.small);
   const std::string summary = chart_summary(figures);
-  ImGui::SameLine(ImGui::GetWindowWidth() - ui.look.px(16) - ImGui::CalcTextSize(summary.c_str()).x);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ui.look.px(16) -
+                  ImGui::CalcTextSize(summary.c_str()).x);
   text_muted(ui, summary);
   ImGui::PopFont();
   const RunState state = context.session.state();

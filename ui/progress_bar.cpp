@@ -57,8 +57,9 @@ void draw_progress(UiContext& context) {
   if (is_searching(context)) {
     work = search_work(context);
   } else if (const auto chore = context.session.chore(); chore != nullptr) {
-    work = {chore->phase(), "", std::to_string(std::lround(chore->fraction() * 100)) + " %",
-            chore->fraction(), false};
+    const std::string percent = std::to_string(std::lround(chore->fraction() * 100)) + " %";
+    const bool can_stop = context.session.state() == RunState::Opening;
+    work = {chore->phase(), "", percent, chore->fraction(), can_stop};
   }
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
@@ -71,8 +72,11 @@ void draw_progress(UiContext& context) {
   left += bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, work.what.c_str()).x + look.px(8);
   draw.AddText(ImVec2(left, text_y), look.colours.muted, work.detail.c_str());
   left = std::max(left + ImGui::CalcTextSize(work.detail.c_str()).x + look.px(16), min.x + look.px(280));
-  const ButtonSpec stop{"progress/stop",      "Stop", "",          tip_of(context, action(ActionId::Stop)),
-                        ButtonKind::Outlined, true,   look.px(72), look.px(24)};
+  ButtonSpec stop{"progress/stop", is_searching(context) ? "Stop" : "Cancel"};
+  stop.tip = is_searching(context) ? tip_of(context, action(ActionId::Stop)) : "Gives up; what is open stays";
+  stop.kind = ButtonKind::Outlined;
+  stop.width = look.px(80);
+  stop.height = look.px(24);
   float right = min.x + size.x - look.px(12) - (work.can_stop ? stop.width + look.px(12) : 0);
   right -= ImGui::CalcTextSize(work.left.c_str()).x;
   draw.AddText(ImVec2(right, text_y), look.colours.muted, work.left.c_str());
@@ -85,7 +89,12 @@ void draw_progress(UiContext& context) {
   }
   if (!work.can_stop) return;
   ImGui::SetCursorScreenPos(ImVec2(min.x + size.x - look.px(12) - stop.width, middle - look.px(12)));
-  if (button(ui, stop)) run_action(context, ActionId::Stop);
+  if (!button(ui, stop)) return;
+  if (is_searching(context)) {
+    run_action(context, ActionId::Stop);
+  } else {
+    context.session.cancel_opening();
+  }
 }
 
 }  // namespace netwright

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
 #include "core/sheet/pages.h"
 
 namespace netwright {
@@ -47,8 +46,7 @@ SheetOutline outline_of(const PageLayout& layout, const PageLayout::Page& page) 
 
 }  // namespace
 
-PagedNet on_pages(const Net& net, const PaperSetup& paper, const PrintSize& size) {
-  const PageLayout layout = arrange(net, paper, size);
+PagedNet on_pages(const Net& net, const PageLayout& layout) {
   PagedNet paged{net, {}};
   for (const FaceId f : net.mesh().faces()) {
     const auto& placement = layout.pieces[static_cast<std::size_t>(net.piece[f])];
@@ -62,37 +60,24 @@ PagedNet on_pages(const Net& net, const PaperSetup& paper, const PrintSize& size
   return paged;
 }
 
-void Scene::place(const Project& project) {
+void Scene::place() {
   paged_ = nullptr;
   net_box_ = Box2();
   if (shown_ == nullptr) return;
-  if (wants_pages_) {
-    try {
-      paged_ = std::make_unique<const PagedNet>(on_pages(shown_->net, project.paper, project.size));
-    } catch (const Error&) {
-      // The session tells why there are no pages; the net itself can still be shown.
-    }
-  }
+  if (layout_ != nullptr) paged_ = std::make_unique<const PagedNet>(on_pages(shown_->net, *layout_));
   net_box_ = net()->box();
   if (paged_ == nullptr) return;
   for (const SheetOutline& sheet : paged_->sheets) net_box_.add(sheet.border);
 }
 
 void Scene::take_net(const UiContext& context, Renderers& renderers) {
-  const Project& project = context.session.project();
   const auto shown = context.session.shown();
-  const RunState state = context.session.state();
-  const bool wants_pages =
-      context.ui.settings.show_pages && state == RunState::Idle && shown != nullptr && shown->is_proved;
-  const bool is_same = shown == shown_ && wants_pages == wants_pages_ &&
-                       (!wants_pages || (project.paper == paper_ && project.size == size_));
-  if (is_same) return;
+  const auto layout = context.ui.settings.show_pages ? context.session.pages() : nullptr;
+  if (shown == shown_ && layout == layout_) return;
   shown_ = shown;
-  wants_pages_ = wants_pages;
-  paper_ = project.paper;
-  size_ = project.size;
+  layout_ = layout;
   ++version_;
-  place(project);
+  place();
   if (shown_ == nullptr) {
     renderers.net.clear();
     renderers.tree.clear();

@@ -20,8 +20,8 @@ struct PagedNet {
   std::vector<SheetOutline> sheets;
 };
 
-/// Lays a net out as it will be printed. Throws what arrange throws.
-PagedNet on_pages(const Net& net, const PaperSetup& paper, const PrintSize& size);
+/// Moves a net to where it will be printed.
+PagedNet on_pages(const Net& net, const PageLayout& layout);
 
 class Scene {
  public:
@@ -48,14 +48,12 @@ class Scene {
  private:
   void take_net(const UiContext& context, Renderers& renderers);
   void mark_faces(const UiContext& context);
-  void place(const Project& project);
+  void place();
 
   std::shared_ptr<const DualGraph> dual_;
   std::shared_ptr<const ShownNet> shown_;
   std::unique_ptr<const PagedNet> paged_;
-  PaperSetup paper_;
-  PrintSize size_;
-  bool wants_pages_ = false;
+  std::shared_ptr<const PageLayout> layout_;
   Box2 net_box_;
   std::uint64_t version_ = 1;
   std::uint64_t model_version_ = 0;

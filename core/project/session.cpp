@@ -93,6 +93,11 @@ void Session::open_bytes(const std::string& name, std::string bytes, CompanionLo
   impl_->open({{}, name, std::move(bytes), std::move(companions)});
 }
 
+void Session::cancel_opening() {
+  if (impl_->opening) impl_->opening->progress->cancel();
+  impl_->opening = nullptr;
+}
+
 const MeshReport* Session::report() const { return has_model() ? &impl_->report : nullptr; }
 
 RunState Session::state() const {
@@ -214,6 +219,10 @@ void Session::redo() {
 std::shared_ptr<const std::vector<Sheet>> Session::sheets() const {
   if (impl_->run || impl_->is_unfinished || !impl_->derived) return nullptr;
   return impl_->derived->sheets;
+}
+
+std::shared_ptr<const PageLayout> Session::pages() const {
+  return sheets() && impl_->derived->shown == shown() ? impl_->derived->pages : nullptr;
 }
 
 void Session::export_to(const std::filesystem::path& path) { impl_->export_to(path); }

@@ -15,6 +15,7 @@
 #include "core/project/project.h"
 #include "core/project/run_figures.h"
 #include "core/project/shown_net.h"
+#include "core/sheet/pages.h"
 #include "core/sheet/sheet.h"
 #include "core/solve/solve.h"
 
@@ -59,6 +60,8 @@ class Session {
   /// Opens a bundled model from memory; `name` tells the format by its extension, `companions` finds the
   /// files it refers to (a material library, a picture) and is called on the worker.
   void open_bytes(const std::string& name, std::string bytes, CompanionLookup companions = {});
+  /// Gives up reading a file; the present model stays.
+  void cancel_opening();
   [[nodiscard]] bool has_model() const { return project().dual != nullptr; }
   [[nodiscard]] const MeshReport* report() const;
 
@@ -101,6 +104,8 @@ class Session {
 
   // Printing. Sheets exist only for a proved net; null otherwise.
   [[nodiscard]] std::shared_ptr<const std::vector<Sheet>> sheets() const;
+  /// How the net of shown() lies on its pages; null while there are no sheets or another net is shown.
+  [[nodiscard]] std::shared_ptr<const PageLayout> pages() const;
   /// Writes by the path's extension on the chores lane; success or failure arrives as a message.
   void export_to(const std::filesystem::path& path);
 

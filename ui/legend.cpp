@@ -1,0 +1,139 @@
+// A swatch of paper for each kind of line. Where room is short, swatches and gaps shrink before anything is
+// left out.
+#include "ui/legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "ui/view_parts.h"
+
+namespace netwright {
+namespace {
+
+enum class Mark { Line, Dot, Hatch };
+
+struct Entry {
+  std::string label;
+  Mark mark = Mark::Line;
+  Colour colour{0};
+  std::vector<float> dash = {};  ///< ink, gap … in design pixels; empty = solid
+};
+
+/// While single moves are watched the moves are the topic, not the folds.
+std::vector<Entry> entries_of(const UiState& ui, const ShownNet& shown) {
+  const Palette& p = palette_of(ui);
+  const bool is_stepping = !shown.climbed.empty();
+  std::vector<Entry> entries;
+  if (is_stepping) {
+    entries.push_back({"climb", Mark::Line, p.candidate});
+    entries.push_back({"candidate", Mark::Line, p.candidate, {4, 3}});
+  } else {
+    entries.push_back({"cut", Mark::Line, p.cut});
+    entries.push_back({"mountain", Mark::Line, p.mountain, {6, 2, 2, 2}});
+    entries.push_back({"valley", Mark::Line, p.valley, {4, 3}});
+  }
+  if (ui.settings.show_tree) entries.push_back({"tree", Mark::Line, p.tree});
+  if (ui.settings.show_root) entries.push_back({"root", Mark::Dot, p.root});
+  if (ui.settings.show_overlaps && !shown.overlaps.empty())
+    entries.push_back({"overlap", Mark::Hatch, p.overlap});
+  return entries;
+}
+
+float label_width(const UiState& ui, const Entry& entry) {
+  const ImFont* font = ui.look.fonts.small;
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, entry.label.c_str()).x;
+}
+
+struct Spacing {
+  float swatch = 32;  ///< of a line; dots and hatches are square
+  float gap = 16;
+};
+
+float swatch_width(const UiState& ui, const Entry& entry, const Spacing& spacing) {
+  return ui.look.px(entry.mark == Mark::Line ? spacing.swatch : 16);
+}
+
+Spacing spacing_for(const UiState& ui, const std::vector<Entry>& entries, float width) {
+  for (const Spacing spacing : {Spacing{32, 16}, Spacing{26, 10}}) {
+    float used = ui.look.px(32);
+    for (const Entry& entry : entries) {
+      used += swatch_width(ui, entry, spacing) + ui.look.px(6 + spacing.gap) + label_width(ui, entry);
+    }
+    if (used - ui.look.px(spacing.gap) <= width) return spacing;
+  }
+  return {18, 8};
+}
+
+void draw_dashes(const UiState& ui, const Entry& entry, ImVec2 from, float to_x) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImU32 colour = to_u32(entry.colour);
+  const float thick = 1.5F * ui.look.scale;
+  if (entry.dash.empty()) {
+    draw.AddLine(from, ImVec2(to_x, from.y), colour, thick);
+    return;
+  }
+  float x = from.x;
+  for (std::size_t i = 0; x < to_x; ++i) {
+    const float end = std::min(x + entry.dash[i % entry.dash.size()] * ui.look.scale, to_x);
+    if (i % 2 == 0) draw.AddLine(ImVec2(x, from.y), ImVec2(end, from.y), colour, thick);
+    x = end;
+  }
+}
+
+void draw_hatch(const UiState& ui, const Entry& entry, ImVec2 min, ImVec2 max) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, to_u32(entry.colour), ui.look.px(2));
+  draw.PushClipRect(min, max, true);
+  const float height = max.y - min.y;
+  const ImU32 colour = to_u32(palette_of(ui).overlap_hatch);
+  for (float x = min.x - height; x < max.x; x += ui.look.px(5)) {
+    draw.AddLine(ImVec2(x, max.y), ImVec2(x + height, min.y), colour, ui.look.px(1.5F));
+  }
+  draw.PopClipRect();
+}
+
+void draw_swatch(const UiState& ui, const Entry& entry, ImVec2 min, ImVec2 max) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, to_u32(palette_of(ui).paper), ui.look.px(2));
+  const ImVec2 middle((min.x + max.x) / 2, (min.y + max.y) / 2);
+  if (entry.mark == Mark::Line) {
+    draw_dashes(ui, entry, ImVec2(min.x + ui.look.px(4), middle.y), max.x - ui.look.px(4));
+  } else if (entry.mark == Mark::Dot) {
+    draw.AddCircleFilled(middle, ui.look.px(4.5F), to_u32(entry.colour), 16);
+    draw.AddCircle(middle, ui.look.px(4.5F), to_u32(palette_of(ui).root_rim), 16, 1.5F * ui.look.scale);
+  } else {
+    draw_hatch(ui, entry, min, max);
+  }
+}
+
+}  // namespace
+
+float legend_height(const UiState& ui) { return ui.look.px(40); }
+
+void draw_legend(const UiState& ui, const ShownNet* shown) {
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max(min.x + ImGui::GetContentRegionAvail().x, min.y + legend_height(ui));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, to_u32(palette_of(ui).desk));
+  if (shown == nullptr) return;
+  const std::vector<Entry> entries = entries_of(ui, *shown);
+  const Spacing spacing = spacing_for(ui, entries, max.x - min.x);
+  const ImFont* font = ui.look.fonts.small;
+  const float middle = (min.y + max.y) / 2;
+  float x = min.x + ui.look.px(16);
+  for (const Entry& entry : entries) {
+    const ImVec2 corner(x, std::floor(middle - ui.look.px(8)));
+    const ImVec2 end(x + swatch_width(ui, entry, spacing), corner.y + ui.look.px(16));
+    const float text = end.x + ui.look.px(6);
+    if (text + label_width(ui, entry) > max.x) break;
+    draw_swatch(ui, entry, corner, end);
+    draw.AddText(font, font->FontSize, ImVec2(text, std::floor(middle - font->FontSize / 2)),
+                 ui.look.colours.text, entry.label.c_str());
+    x = text + label_width(ui, entry) + ui.look.px(spacing.gap);
+  }
+}
+
+}  // namespace netwright

@@ -1,0 +1,13 @@
+// The strip under the net that says what its lines and colours mean.
+#pragma once
+
+#include "ui/ui_state.h"
+
+namespace netwright {
+
+float legend_height(const UiState& ui);
+
+/// Fills the rest of the present window's width; only what can be seen now is explained. `shown` may be null.
+void draw_legend(const UiState& ui, const ShownNet* shown);
+
+}  // namespace netwright
