@@ -109,13 +109,15 @@ void Application::draw() {
   remember_model();
 }
 
-void Application::turn(double longest_wait_s) {
-  const double wait = std::min(wait_seconds(), longest_wait_s);
+void Application::wait(double seconds) {
   const double before = steady_seconds();
-  window_.wait_events(wait);
-  // Mouse moves are not in the queue; coming back early tells of them.
-  const bool is_woken = steady_seconds() - before < wait * 0.95;
-  if (is_woken) ui_.frames_wanted = std::max(ui_.frames_wanted, 1);
+  window_.wait_events(seconds);
+  const bool is_early = steady_seconds() - before < seconds * 0.95;
+  if (is_early) ui_.frames_wanted = std::max(ui_.frames_wanted, 1);
+}
+
+void Application::turn(double longest_wait_s) {
+  wait(std::min(wait_seconds(), longest_wait_s));
   for (const WindowEvent& event : window_.take_events()) handle(event);
   const bool has_changed = session_.poll();
   const bool has_old_toast = std::any_of(ui_.toasts.begin(), ui_.toasts.end(),
@@ -128,8 +130,10 @@ void Application::run() {
   while (!is_over()) {
     turn(kLongestWait_s);
     // Snapshots come faster than any screen shows them; the processor is the solver's.
-    const double left = kFrame_s - (steady_seconds() - last_frame);
-    if (left > 0) window_.wait_events(left);
+    for (double left = 1; left > 0;) {
+      left = kFrame_s - (steady_seconds() - last_frame);
+      if (left > 0) wait(left);
+    }
     last_frame = steady_seconds();
   }
 }

@@ -33,6 +33,8 @@ class Application {
 
  private:
   [[nodiscard]] double wait_seconds() const;
+  /// Waits for events; one that is in no queue, a mouse move, still wants a frame.
+  void wait(double seconds);
   void handle(const WindowEvent& event);
   void open_dropped(const std::vector<std::filesystem::path>& paths);
   void update_title();
