@@ -122,7 +122,8 @@ TEST(WriteSvg, DrawsWordsAsOutlines) {
   const std::string svg = svg_of(shapes::cube());
   EXPECT_EQ(svg.find("<text"), std::string::npos);
   bool has_words = false;
-  for (const SvgPath& path : layers_of(svg).at("Print"))
+  const auto layers = layers_of(svg);
+  for (const SvgPath& path : layers.at("Print"))
     if (path.label == "valley fold") {
       has_words = true;
       EXPECT_NE(path.data.find('C'), std::string::npos);
