@@ -129,10 +129,10 @@ inline std::string to_zip(const std::vector<std::pair<std::string, std::string>>
     append(common, static_cast<std::uint32_t>(content.size()));
     append(common, static_cast<std::uint16_t>(name.size()));
     append(common, std::uint16_t{0});
-    directory += std::string("PK\x01\x02\x14\x00", 6) + common + std::string(10, '\0');
+    directory.append("PK\x01\x02\x14\x00", 6).append(common).append(10, '\0');
     append(directory, static_cast<std::uint32_t>(bytes.size()));
     directory += name;
-    bytes += "PK\x03\x04" + common + name + content;
+    bytes.append("PK\x03\x04").append(common).append(name).append(content);
   }
   const auto start = static_cast<std::uint32_t>(bytes.size());
   bytes += directory + "PK\x05\x06" + std::string(4, '\0');

@@ -14,7 +14,6 @@
 namespace netwright {
 namespace {
 
-using testing::read_file;
 using testing::write_file;
 
 const std::filesystem::path kData = std::filesystem::path(NETWRIGHT_SOURCE) / "tests/data";

@@ -67,7 +67,7 @@ inline std::vector<ZooShape> zoo() {
 }
 
 /// The shape turned inside out.
-inline PolygonSoup inside_out(PolygonSoup soup) {
+inline PolygonSoup inside_out(const PolygonSoup& soup) {
   PolygonSoup turned = soup;
   turned.face_begin = {0};
   turned.corners.clear();
