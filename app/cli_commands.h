@@ -1,4 +1,4 @@
-// The three commands. Each returns the program's exit status and throws Error for what ends with status 1.
+// The four commands. Each returns the program's exit status and throws Error for what ends with status 1.
 #pragma once
 
 #include "app/cli_options.h"
@@ -14,5 +14,8 @@ int run_verify(const VerifyCommand& command);
 
 /// 0 fit to unfold, 2 needs repair.
 int run_info(const InfoCommand& command);
+
+/// 0 when it ran through, whatever the runs came to; 130 cancelled.
+int run_bench(const BenchCommand& command);
 
 }  // namespace netwright

@@ -17,7 +17,20 @@ namespace {
 constexpr const char* kFooter =
     "Exit status of unfold: 0 one proved net per component, 1 usage, input or output error,\n"
     "2 not within the limits, 130 cancelled; files are written only with 0. Of verify: 0 a net, 2 not one,\n"
-    "1 unreadable. Of info: 0 fit to unfold, 2 needs repair, 1 unreadable.";
+    "1 unreadable. Of info: 0 fit to unfold, 2 needs repair, 1 unreadable. Of bench: 0 when it ran through,\n"
+    "1 usage or output error, 130 cancelled.";
+
+constexpr const char* kBenchFooter =
+    "A folder stands for its model files; a folder without any, for the folders in it that have some. Each\n"
+    "folder gets one row in the table: runs, share of them with a proved net, runs refused because the "
+    "model\n"
+    "cannot be read or unfolded as it is, and CPU time of all searches, solved or not: minimum, mean, mean\n"
+    "without times above mean + 3 standard deviations (filtered), median, percentiles by nearest rank, "
+    "maximum.\n"
+    "With several streams a second table tells the wall-clock time.\n"
+    "OUT gets a tab-separated row per run as soon as it is over, and the table as comments at its end. "
+    "Stopped\n"
+    "and started again with the same options, bench goes on behind the last whole row in OUT.";
 
 std::string model_help() {
   std::string text = "Model file:";
@@ -58,6 +71,7 @@ class Reader {
     add_unfold();
     add_verify();
     add_info();
+    add_bench();
   }
 
   Command read(int argc, const char* const* argv) {
@@ -66,12 +80,15 @@ class Reader {
     } catch (const CLI::ParseError& stop) {
       if (stop.get_exit_code() == 0) return PrintCommand{text_of(stop)};
       if (app_.get_subcommands().empty()) {
-        throw Error(ErrorKind::Usage, "Say what to do: unfold, verify or info; see netwright-cli --help.");
+        throw Error(ErrorKind::Usage,
+                    "Say what to do: unfold, verify, info or bench; see netwright-cli --help.");
       }
       throw Error(ErrorKind::Usage, sentence(stop.what()));
     }
     if (verify_app_->parsed()) return verify_;
     if (info_app_->parsed()) return info_;
+    if (bench_app_->parsed()) return bench();
+    unfold_.search = style();
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     return unfold_;
@@ -91,19 +108,7 @@ class Reader {
         ->check(
             within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max(), "a whole number, 0 or more"))
         ->capture_default_str();
-    app.add_option("--time-limit", unfold_.time_limit_s, "Longest search in seconds, 0 = none")
-        ->type_name("S")
-        ->check(within(0.0, 1e9, "a number of seconds, 0 or more"))
-        ->capture_default_str();
-    app.add_option("--streams", unfold_.streams, "Independent searches; part of what decides the net")
-        ->type_name("N")
-        ->check(within(1, 1024, "a whole number from 1 to 1024"))
-        ->capture_default_str();
-    app.add_option("--threads", unfold_.threads,
-                   "Threads that run them, 0 = by the machine; never decides the net")
-        ->type_name("N")
-        ->check(within(0, 1024, "a whole number from 0 to 1024"))
-        ->capture_default_str();
+    add_search(app, unfold_, "Longest search in seconds, 0 = none");
     app.add_option("--root", unfold_.root,
                    "Face that the net starts from, by its number in the file counted from 1")
         ->type_name("FACE")
@@ -134,6 +139,57 @@ class Reader {
     info_app_->add_flag("--json", info_.is_json, "Print the result as one JSON object");
   }
 
+  void add_bench() {
+    bench_app_ = app_.add_subcommand("bench", "Measure the search on many models");
+    bench_app_->footer(kBenchFooter);
+    bench_app_->add_option("PATH", bench_paths_, "Model files and folders of them")
+        ->required()
+        ->type_name("");
+    bench_app_->add_option("--seeds", bench_.seeds, "Unfold each model N times, with the seeds 0 to N-1")
+        ->type_name("N")
+        ->check(within(std::int64_t{1}, std::int64_t{1000000}, "a whole number from 1 to 1000000"))
+        ->capture_default_str();
+    add_search(*bench_app_, bench_, "Longest search of one run in seconds, 0 = none");
+    bench_app_->add_option("--tsv", bench_.tsv, "Table of all runs; there already, it is gone on with")
+        ->type_name("OUT");
+  }
+
+  /// What unfold and bench have in common; they differ in what is usual.
+  template <class SearchCommand>
+  void add_search(CLI::App& app, SearchCommand& command, const std::string& time_limit_help) {
+    app.add_option("--time-limit", command.time_limit_s, time_limit_help)
+        ->type_name("S")
+        ->check(within(0.0, 1e9, "a number of seconds, 0 or more"))
+        ->capture_default_str();
+    app.add_option("--streams", command.streams, "Independent searches; part of what decides the net")
+        ->type_name("N")
+        ->check(within(1, 1024, "a whole number from 1 to 1024"))
+        ->capture_default_str();
+    app.add_option("--threads", command.threads,
+                   "Threads that run them, 0 = by the machine; never decides the net")
+        ->type_name("N")
+        ->check(within(0, 1024, "a whole number from 0 to 1024"))
+        ->capture_default_str();
+    app.add_option("--search", search_, "How to search: fast, or as the paper has it")
+        ->type_name("fast|paper")
+        ->check(CLI::Validator(
+            [](std::string& word) {
+              return word == "fast" || word == "paper" ? std::string() : "it must be fast or paper";
+            },
+            ""))
+        ->capture_default_str();
+  }
+
+  [[nodiscard]] SearchStyle style() const {
+    return search_ == "paper" ? SearchStyle::Paper : SearchStyle::Fast;
+  }
+
+  BenchCommand bench() {
+    for (const std::string& path : bench_paths_) bench_.paths.emplace_back(path);
+    bench_.search = style();
+    return bench_;
+  }
+
   std::string text_of(const CLI::ParseError& stop) {
     std::ostringstream text;
     app_.exit(stop, text, text);
@@ -150,12 +206,16 @@ class Reader {
   CLI::App app_{"Netwright unfolds a 3-D model into one overlap-free piece of paper."};
   CLI::App* verify_app_ = nullptr;
   CLI::App* info_app_ = nullptr;
+  CLI::App* bench_app_ = nullptr;
   CLI::Option* height_ = nullptr;
   bool is_fit_page_ = false;
   UnfoldCommand unfold_;
   VerifyCommand verify_;
   InfoCommand info_;
+  BenchCommand bench_;
   std::vector<std::string> outputs_;
+  std::vector<std::string> bench_paths_;
+  std::string search_ = "fast";
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "core/base/paper.h"
 #include "core/sheet/pages.h"
+#include "core/solve/solve.h"
 
 namespace netwright {
 
@@ -20,7 +21,8 @@ struct UnfoldCommand {
   double time_limit_s = 60;  ///< 0 = none
   int streams = 2;
   int threads = 0;  ///< 0 = as many as there are streams and cores
-  int root = 0;     ///< face number counted from 1, 0 = none
+  SearchStyle search = SearchStyle::Fast;
+  int root = 0;  ///< face number counted from 1, 0 = none
   PaperSetup paper;
   PrintSize size;
   bool is_json = false;
@@ -36,12 +38,22 @@ struct InfoCommand {
   bool is_json = false;
 };
 
+struct BenchCommand {
+  std::vector<std::filesystem::path> paths;  ///< model files and folders of them
+  std::int64_t seeds = 1;                    ///< each model is unfolded with the seeds 0 … seeds - 1
+  double time_limit_s = 60;                  ///< of one run, 0 = none
+  int streams = 1;
+  int threads = 1;  ///< 0 = as many as there are streams and cores
+  SearchStyle search = SearchStyle::Fast;
+  std::filesystem::path tsv;  ///< empty = keep no rows
+};
+
 /// --help and --version: nothing is left to do but to print.
 struct PrintCommand {
   std::string text;
 };
 
-using Command = std::variant<PrintCommand, UnfoldCommand, VerifyCommand, InfoCommand>;
+using Command = std::variant<PrintCommand, UnfoldCommand, VerifyCommand, InfoCommand, BenchCommand>;
 
 /// Throws Error(Usage) with one sentence.
 Command parse_command(int argc, const char* const* argv);

@@ -73,6 +73,7 @@ SolveOptions solve_options(const UnfoldCommand& command, const Mesh& mesh) {
   options.seed = static_cast<std::uint64_t>(command.seed);
   options.streams = command.streams;
   options.threads = command.threads;
+  options.search = command.search;
   if (command.root > static_cast<int>(mesh.n_faces())) {
     throw Error(ErrorKind::Usage, "There is no face " + std::to_string(command.root) +
                                       " to start from: " + mesh.name() + " has the faces 1 to " +

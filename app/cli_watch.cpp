@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <semaphore>
 #include <string>
 
@@ -65,23 +66,23 @@ void ProgressLine::show(double seconds) {
   std::fflush(stderr);
 }
 
-Watched run_watched(const Interrupts& interrupts, const std::function<void(Progress&)>& job,
-                    std::optional<double> time_limit_s, ProgressLine* line) {
+Watched run_watched(Worker& worker, const Interrupts& interrupts, const std::function<void(Progress&)>& job,
+                    std::optional<double> time_limit_s, const std::function<void(double)>& glance) {
   Watched seen;
-  Ending ending;
+  // Shared with the job, whose last step is to let go of it when this function may be over.
+  const auto ending = std::make_shared<Ending>();
   const double start = now_seconds();
   double interrupted_at = 0;
   double shown_at = start;
-  Worker worker;
-  const auto progress = worker.submit(Worker::Lane::Search, [&](Progress& own) {
+  const auto progress = worker.submit(Worker::Lane::Search, [&job, ending](Progress& own) {
     try {
       job(own);
     } catch (...) {
-      ending.failure = std::current_exception();
+      ending->failure = std::current_exception();
     }
-    ending.is_over.release();
+    ending->is_over.release();
   });
-  while (!ending.is_over.try_acquire_for(kGlance)) {
+  while (!ending->is_over.try_acquire_for(kGlance)) {
     const double now = now_seconds();
     if (!seen.was_interrupted && interrupts.has_come()) {
       seen.was_interrupted = true;
@@ -93,14 +94,22 @@ Watched run_watched(const Interrupts& interrupts, const std::function<void(Progr
       seen.was_out_of_time = true;
       progress->cancel();
     }
-    if (line != nullptr && now - shown_at >= kRedrawSeconds) {
+    if (glance && now - shown_at >= kRedrawSeconds) {
       shown_at = now;
-      line->show(now - start);
+      glance(now - start);
     }
   }
   seen.was_interrupted = seen.was_interrupted || interrupts.has_come();
-  if (ending.failure) std::rethrow_exception(ending.failure);
+  if (ending->failure) std::rethrow_exception(ending->failure);
   return seen;
+}
+
+Watched run_watched(const Interrupts& interrupts, const std::function<void(Progress&)>& job,
+                    std::optional<double> time_limit_s, ProgressLine* line) {
+  Worker worker;
+  std::function<void(double)> glance;
+  if (line != nullptr) glance = [line](double seconds) { line->show(seconds); };
+  return run_watched(worker, interrupts, job, time_limit_s, glance);
 }
 
 }  // namespace netwright

@@ -11,6 +11,8 @@
 
 namespace netwright {
 
+class Worker;
+
 /// Holds Ctrl-C back from the moment it is made, so that whoever asks decides what it means. Make it before
 /// any thread.
 class Interrupts {
@@ -47,6 +49,11 @@ struct Watched {
 /// Ctrl-C, ends the program on the spot with status 130; nothing is being written then.
 Watched run_watched(const Interrupts& interrupts, const std::function<void(Progress&)>& job,
                     std::optional<double> time_limit_s = {}, ProgressLine* line = nullptr);
+
+/// The same on a worker that is there already, for many short jobs. `glance`, when there is one, is called
+/// about ten times a second with the seconds since the job began.
+Watched run_watched(Worker& worker, const Interrupts& interrupts, const std::function<void(Progress&)>& job,
+                    std::optional<double> time_limit_s, const std::function<void(double)>& glance);
 
 /// Seconds on a steady clock.
 double now_seconds();

@@ -18,6 +18,7 @@ struct Runner {
   int operator()(const UnfoldCommand& command) const { return run_unfold(command); }
   int operator()(const VerifyCommand& command) const { return run_verify(command); }
   int operator()(const InfoCommand& command) const { return run_info(command); }
+  int operator()(const BenchCommand& command) const { return run_bench(command); }
 };
 
 constexpr int kFailed = 1;

@@ -1,143 +1,12 @@
 // The command line as people and scripts meet it: the real program is started as a child, and its exit
 // status, its words and its files are looked at.
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
-#include "core/base/json.h"
-#include "core/mesh/shapes.h"
-
-extern char** environ;
+#include "tests/cli_support.h"
 
 namespace netwright {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-struct Ended {
-  int status = -1;  ///< exit status; -1 when a signal ended it
-  std::string out;
-  std::string err;
-};
-
-/// A running netwright-cli; its two outputs go to files beside the test's own.
-class Child {
- public:
-  Child(const fs::path& folder, const std::vector<std::string>& arguments)
-      : out_(folder / "stdout.txt"), err_(folder / "stderr.txt") {
-    std::vector<std::string> words{NETWRIGHT_CLI};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    constexpr int kNew = O_WRONLY | O_CREAT | O_TRUNC;
-    posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), kNew, 0644);
-    posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), kNew, 0644);
-    is_running_ = posix_spawn(&pid_, NETWRIGHT_CLI, &actions, nullptr, argv.data(), environ) == 0;
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  ~Child() {
-    if (!is_running_) return;
-    kill(pid_, SIGKILL);
-    waitpid(pid_, nullptr, 0);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  void interrupt() const { kill(pid_, SIGINT); }
-
-  Ended wait() {
-    Ended ended;
-    int status = 0;
-    if (is_running_ && waitpid(pid_, &status, 0) == pid_ && WIFEXITED(status))
-      ended.status = WEXITSTATUS(status);
-    is_running_ = false;
-    ended.out = content(out_);
-    ended.err = content(err_);
-    return ended;
-  }
-
- private:
-  fs::path out_;
-  fs::path err_;
-  pid_t pid_ = 0;
-  bool is_running_ = false;
-};
-
-class CommandLine : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("netwright_cli_" + std::to_string(getpid()) + "_" + info->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return at(name);
-  }
-  std::string write(const std::string& name, const PolygonSoup& soup) const {
-    return write(name, shapes::to_obj(soup));
-  }
-  /// Far too large to be unfolded while a test waits.
-  [[nodiscard]] std::string endless_model() const { return write("endless.obj", shapes::torus(100, 100)); }
-  [[nodiscard]] Ended run(const std::vector<std::string>& arguments) const {
-    return Child(folder_, arguments).wait();
-  }
-  [[nodiscard]] Json run_json(const std::vector<std::string>& arguments, int expected_status) const {
-    const Ended ended = run(arguments);
-    EXPECT_EQ(ended.status, expected_status) << ended.err;
-    return parse_json(ended.out, "standard output");
-  }
-  /// What the commands added to the folder.
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      const std::string name = entry.path().filename().string();
-      if (name != "stdout.txt" && name != "stderr.txt") names.push_back(name);
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
-  fs::path folder_;
-};
-
-/// Status 1, nothing on standard output, and one line on standard error that holds `words`.
-void expect_refusal(const Ended& ended, const std::string& words) {
-  EXPECT_EQ(ended.status, 1);
-  EXPECT_EQ(ended.out, "");
-  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
-  EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
-  EXPECT_TRUE(ended.err.ends_with(".\n")) << ended.err;
-}
-
-using Strings = std::vector<std::string>;
 
 TEST_F(CommandLine, UnfoldsACubeIntoEveryFormat) {
   const std::string cube = write("cube.obj", shapes::cube());
@@ -196,6 +65,17 @@ TEST_F(CommandLine, GivesTheSameNetForTheSameSeedOnAnyNumberOfThreads) {
   EXPECT_EQ(run({"unfold", model, "-o", at("c.fold"), "--seed", "6", "--threads", "2"}).status, 0);
   EXPECT_EQ(content(at("a.fold")), content(at("b.fold")));
   EXPECT_NE(content(at("a.fold")), content(at("c.fold")));
+}
+
+TEST_F(CommandLine, SearchesAsThePaperHasItWhenAskedTo) {
+  const std::string model = write("torus.obj", shapes::torus(10, 6));
+  EXPECT_EQ(run({"unfold", model, "-o", at("usual.fold")}).status, 0);
+  EXPECT_EQ(run({"unfold", model, "-o", at("fast.fold"), "--search", "fast"}).status, 0);
+  EXPECT_EQ(run({"unfold", model, "-o", at("paper.fold"), "--search", "paper"}).status, 0);
+  EXPECT_EQ(content(at("usual.fold")), content(at("fast.fold")));
+  EXPECT_NE(content(at("usual.fold")), content(at("paper.fold")));
+  EXPECT_EQ(run({"verify", at("paper.fold")}).status, 0);
+  expect_refusal(run({"unfold", model, "--search", "slow"}), "fast or paper");
 }
 
 TEST_F(CommandLine, StartsAtTheFaceThatIsAskedFor) {
@@ -259,8 +139,8 @@ TEST_F(CommandLine, RefusesWhatCannotWorkBeforeItSearches) {
   expect_refusal(run({"unfold", model, "--time-limit", "nan"}), "--time-limit");
   expect_refusal(run({"unfold", model, "--fast"}), "--fast");
   expect_refusal(run({"unfold"}), "MODEL");
-  expect_refusal(run({"fold", model}), "unfold, verify or info");
-  expect_refusal(run({}), "unfold, verify or info");
+  expect_refusal(run({"fold", model}), "unfold, verify, info or bench");
+  expect_refusal(run({}), "unfold, verify, info or bench");
   EXPECT_EQ(files(), (Strings{"endless.obj"}));
 }
 
@@ -299,13 +179,13 @@ TEST_F(CommandLine, EndsWithStatus130OnCtrlC) {
 TEST_F(CommandLine, ExplainsItself) {
   const Ended help = run({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* word : {"unfold", "verify", "info", "Exit status"}) {
+  for (const char* word : {"unfold", "verify", "info", "bench", "Exit status"}) {
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
   }
   const Ended unfold = run({"unfold", "--help"});
   EXPECT_EQ(unfold.status, 0);
-  for (const char* word : {"--seed", "--time-limit", "--streams", "--threads", "--root", "--paper",
-                           "--height", "--fit-page", "--json", "--output"}) {
+  for (const char* word : {"--seed", "--time-limit", "--streams", "--threads", "--search", "--root",
+                           "--paper", "--height", "--fit-page", "--json", "--output"}) {
     EXPECT_NE(unfold.out.find(word), std::string::npos) << word;
   }
   const Ended version = run({"--version"});
