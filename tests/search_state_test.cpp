@@ -42,10 +42,9 @@ std::vector<std::pair<int, int>> sorted(std::vector<std::pair<int, int>> pairs) 
   return pairs;
 }
 
-// A random exchange at a random root: some face with a cut to the far side is re-attached there.
+// A random exchange: some face with a cut to the far side of the fold above it is re-attached there.
 bool random_exchange(SearchState& state, Random& random, Exchange& exchange) {
   const SearchModel& m = state.model();
-  state.root_at(random.below(m.n_faces));
   for (int tries = 0; tries < 200; ++tries) {
     const int h = random.below(m.n_halfedges);
     const int x = m.face_of[at(h)];
@@ -122,23 +121,61 @@ TEST(SearchState, PlacementsDriftLessThanTheToleranceOverThousandsOfMoves) {
   }
 }
 
-TEST(SearchState, PreorderViewIsConsistentForEveryRoot) {
-  const auto dual = make_dual(shapes::cuboid_with_holes(2, 2));
+void expect_sound_preorder(const SearchState& state) {
+  const SearchModel& m = state.model();
+  EXPECT_EQ(state.position(0), 0);
+  EXPECT_EQ(state.end(0), m.n_faces);
+  for (int f = 0; f < m.n_faces; ++f) {
+    ASSERT_EQ(state.face_at(state.position(f)), f);
+    int below = 1;
+    for (int h = m.face_begin[at(f)]; h < m.face_begin[at(f) + 1]; ++h) {
+      if (!state.is_fold(h) || h == state.up(f)) continue;
+      const int child = m.beyond(h);
+      ASSERT_EQ(state.up(child), m.twin[at(h)]);
+      ASSERT_GT(state.position(child), state.position(f));
+      ASSERT_LE(state.end(child), state.end(f));
+      below += state.end(child) - state.position(child);
+    }
+    ASSERT_EQ(below, state.end(f) - state.position(f));
+  }
+}
+
+TEST(SearchState, MendedPreorderIsThatOfTheTreeAfterEveryMove) {
+  for (const auto& soup : {shapes::icosphere(3), shapes::cuboid_with_holes(2, 2), shapes::gear(10)}) {
+    const auto dual = make_dual(soup);
+    const SearchModel model = search_models(*dual).front();
+    Random random(4);
+    SearchState state(model, kSolveDepth);
+    state.set_tree(greedy_folds(model, random, kSolveDepth));
+    Exchange exchange;
+    for (int k = 0; k < 200 && random_exchange(state, random, exchange); ++k) {
+      state.apply(exchange);
+      expect_sound_preorder(state);
+    }
+  }
+}
+
+TEST(SearchState, PathsLeadFoldByFoldFromFaceToFace) {
+  const auto dual = make_dual(shapes::icosphere(3));
   const SearchModel model = search_models(*dual).front();
-  Random random(4);
+  Random random(6);
   SearchState state(model, kSolveDepth);
   state.set_tree(greedy_folds(model, random, kSolveDepth));
-  for (int root = 0; root < model.n_faces; ++root) {
-    state.root_at(root);
-    EXPECT_EQ(state.position(root), 0);
-    EXPECT_EQ(state.end(root), model.n_faces);
-    for (int f = 0; f < model.n_faces; ++f) {
-      EXPECT_EQ(state.face_at(state.position(f)), f);
-      if (f == root) continue;
-      const int parent = model.beyond(state.up(f));
-      EXPECT_LT(state.position(parent), state.position(f));
-      EXPECT_LE(state.end(f), state.end(parent));
+  std::vector<PathStep> path;
+  for (int k = 0; k < 200; ++k) {
+    const int from = random.below(model.n_faces);
+    const int to = random.below(model.n_faces);
+    state.find_path(from, to, path);
+    int f = from;
+    for (const PathStep& step : path) {
+      EXPECT_EQ(step.near, f);
+      EXPECT_EQ(step.child, step.near_is_child ? step.near : step.far);
+      EXPECT_EQ(model.beyond(state.up(step.child)), step.near_is_child ? step.far : step.near);
+      EXPECT_EQ(state.in_subtree(from, step.child), step.near_is_child);
+      EXPECT_NE(state.in_subtree(to, step.child), step.near_is_child);
+      f = step.far;
     }
+    EXPECT_EQ(f, to);
   }
 }
 

@@ -133,7 +133,7 @@ TEST(Solve, CancelAtAnyMoveLeavesAValidNet) {
     hooks.pace = [&] { return moves++ < stop_at ? Pace::Move : Pace::Stop; };
     const SolveResult result = solve_with(shapes::bumpy_patch(10, 10), one_stream, hooks);
     EXPECT_TRUE(result.net.tree.is_forest(result.net.mesh()));
-    EXPECT_EQ(result.overlaps, find_overlaps(result.net, kSolveDepth));
+    EXPECT_EQ(result.overlaps, find_overlaps(result.net, kShownDepth));
     EXPECT_EQ(result.is_proved, result.overlaps.empty());
   }
 }
@@ -152,7 +152,7 @@ TEST(Solve, StepLimitEndsTheSearchWithTheBestSoFar) {
   const SolveResult result = solve_with(shapes::torus(40, 30), options);
   EXPECT_LE(result.iterations, 3);
   EXPECT_FALSE(result.was_cancelled);
-  EXPECT_EQ(result.overlaps, find_overlaps(result.net, kSolveDepth));
+  EXPECT_EQ(result.overlaps, find_overlaps(result.net, kShownDepth));
 }
 
 }  // namespace

@@ -20,6 +20,10 @@ inline constexpr double kSolveDepth = 2e-11;
 /// anything the search lets pass, far below kProofDepth.
 inline constexpr double kSameCorner = 5e-11;
 
+/// What people are told is an overlap, in mean edges: above what the search lets pass, in whichever order a
+/// net is laid out, and below kProofDepth.
+inline constexpr double kShownDepth = 1e-10;
+
 /// A face is flat when no corner is off its best plane by more than this share of the face's size.
 inline constexpr double kFlatness = 5e-4;
 

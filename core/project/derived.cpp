@@ -17,7 +17,7 @@ std::shared_ptr<const ShownNet> derive_net(const Project& project, const Derived
       before->shown->is_proved == is_proved)
     return before->shown;
   Net net = layout(project.dual, *project.tree);
-  std::vector<Overlap> overlaps = find_overlaps(net, kSolveDepth);
+  std::vector<Overlap> overlaps = find_overlaps(net, kShownDepth);
   ShownNet shown = make_shown_net(std::move(net), std::move(overlaps), is_proved);
   shown.version = version;
   return std::make_shared<const ShownNet>(std::move(shown));

@@ -282,7 +282,7 @@ bool Session::Impl::show_replay() {
   replay.advance_to(goal);
   playing->last_picture = now;
   Net net = replay.net();
-  std::vector<Overlap> overlaps = find_overlaps(net, kSolveDepth);
+  std::vector<Overlap> overlaps = find_overlaps(net, kShownDepth);
   auto shown = std::make_shared<ShownNet>(make_shown_net(std::move(net), std::move(overlaps), false));
   shown->last_move = replay.last_move();
   moving = stamp(std::move(shown));

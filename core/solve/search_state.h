@@ -13,11 +13,19 @@ namespace netwright {
 /// An exchange of hinges (the paper's "move", section 4.3): the faces of one side of a fold move rigidly, the
 /// fold becomes a cut and a cut between the same two sides becomes a fold.
 struct Exchange {
-  int first = 0;  ///< the moved side in preorder positions: first … last-1
+  int first = 0;  ///< one side in preorder positions: first … last-1
   int last = 0;
-  Rigid2 motion;      ///< what moves it (moving the rest by the inverse is the same net)
+  Rigid2 motion;      ///< what moves that side (moving the rest by the inverse is the same net)
   int removed = -1;   ///< halfedge of the re-attached face towards its old neighbour
   int inserted = -1;  ///< halfedge of the re-attached face towards its new neighbour
+};
+
+/// A fold on the way from one face to another.
+struct PathStep {
+  int near = -1;  ///< its face on the side where the path starts
+  int far = -1;
+  int child = -1;  ///< the one of the two whose subtree is one side of the fold
+  bool near_is_child = false;
 };
 
 class SearchState {
@@ -40,20 +48,23 @@ class SearchState {
   [[nodiscard]] const std::vector<int>& overlapping_faces() const { return overlapping_; }
   [[nodiscard]] const Rigid2& placement(int f) const { return placement_[at(f)]; }
 
-  /// Makes the preorder view for this root; positions, parents and boxes below refer to it until the next
-  /// exchange.
-  void root_at(int face);
   [[nodiscard]] int face_at(int position) const { return order_[at(position)]; }
   [[nodiscard]] int position(int f) const { return position_[at(f)]; }
   /// Subtree of f: positions position(f) … end(f)-1.
-  [[nodiscard]] int end(int f) const { return end_[at(f)]; }
-  /// Halfedge of f towards its parent, -1 for the root.
+  [[nodiscard]] int end(int f) const { return position_[at(f)] + size_[at(f)]; }
+  [[nodiscard]] bool in_subtree(int f, int top) const {
+    return position(f) >= position(top) && position(f) < end(top);
+  }
+  /// Halfedge of f towards its parent, -1 for face 0, the root of the preorder.
   [[nodiscard]] int up(int f) const { return up_[at(f)]; }
+  /// The folds from one face to another, in order.
+  void find_path(int from, int to, std::vector<PathStep>& path) const;
 
   /// Overlaps between the moved side and the rest after the exchange's motion; stops counting at `limit`.
   [[nodiscard]] int count_after(const Exchange& exchange, int limit);
 
-  /// Carries the exchange out: O(faces of the smaller side × what lies near them).
+  /// Carries the exchange out: O(faces of the smaller side × what lies near them + the stretch of preorder
+  /// between the old and the new place of the side).
   void apply(const Exchange& exchange);
 
   /// Places every face again from the tree and finds all overlaps anew: ends the drift of long runs and
@@ -63,11 +74,16 @@ class SearchState {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void place_face(int f, const Rigid2& placement);
+  void build_preorder();
+  void traverse(int top, std::vector<int>& order);
+  void relink(const Exchange& exchange);
+  [[nodiscard]] int insertion_place(int parent, const Exchange& exchange) const;
+  void drop_crossing_pairs(const Exchange& exchange);
   void place_from_tree();
   void find_all_pairs();
   void set_pairs(std::vector<std::pair<int, int>> pairs);
   void count_face(int f, int change);
-  void gather_boxes();
+  void gather_boxes(int first, int last);
   [[nodiscard]] bool faces_overlap(const glm::dvec2* moved, int moved_face, int face) const;
 
   template <class Visit>
@@ -89,8 +105,8 @@ class SearchState {
   std::vector<int> overlapping_;
   std::vector<int> overlapping_index_;  // face -> index in overlapping_, -1
 
-  std::vector<int> order_, position_, end_, up_;
-  std::vector<int> stack_;
+  std::vector<int> order_, position_, size_, up_;
+  std::vector<int> stack_, moved_order_;
   BoxLanes lanes_;        // faces' boxes in preorder
   BoxLanes block_lanes_;  // boxes of 16 consecutive ones
 
@@ -99,7 +115,7 @@ class SearchState {
   int side_first_ = 0;
   int side_last_ = 0;
   bool queries_side_ = true;
-  std::vector<int> all_blocks_, hit_blocks_;
+  std::vector<int> hit_blocks_;
   std::vector<glm::dvec2> moved_;
 };
 

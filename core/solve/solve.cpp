@@ -42,7 +42,7 @@ class SolveJob {
       search(attempt);
       collect();
       if (result_.overlaps.empty()) prove();
-      if (result_.is_proved || result_.was_cancelled || !result_.overlaps.empty()) break;
+      if (result_.is_proved || !is_claimed() || progress_.is_cancelled()) break;
     }
     result_.was_cancelled = progress_.is_cancelled() && !result_.is_proved;
     return std::move(result_);
@@ -71,9 +71,13 @@ class SolveJob {
     }
     const double before = thread_cpu_seconds();
     result_.net = whole_.net();
-    result_.overlaps = find_overlaps(result_.net, kSolveDepth);
+    result_.overlaps = find_overlaps(result_.net, kShownDepth);
     result_.cpu_seconds += thread_cpu_seconds() - before;
     showing.finish(result_.net, result_.overlaps);
+  }
+
+  [[nodiscard]] bool is_claimed() const {
+    return std::all_of(portfolios_.begin(), portfolios_.end(), [](const auto& p) { return p->is_solved(); });
   }
 
   // Figures and the replay's log of the streams that won (or came nearest).

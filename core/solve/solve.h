@@ -51,7 +51,7 @@ struct SolveResult {
   bool is_proved = false;
   bool was_cancelled = false;
   VerifyReport proof;
-  std::vector<Overlap> overlaps;  ///< what is left
+  std::vector<Overlap> overlaps;  ///< what is left, deeper than kShownDepth
   int stream = 0;                 ///< which one found it
   std::int64_t iterations = 0;    ///< of the stream that found it
   std::int64_t moves = 0;

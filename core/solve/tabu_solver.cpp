@@ -29,7 +29,6 @@ std::size_t memory_length(const SearchModel& model) {
 TabuSolver::TabuSolver(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
                        std::uint64_t seed, std::uint64_t stream)
     : dual_(&dual), model_(&model), settings_(settings), random_(seed, stream), state_(model, kSolveDepth) {
-  level_.resize(at(model.n_faces));
   memory_.assign(memory_length(model), -1);
   times_tabu_.assign(at(model.n_halfedges), 0);
   best_overlaps_ = kUnbounded;
@@ -83,13 +82,12 @@ void TabuSolver::choose_face() {
     climb_.chosen = stuck_face_;
 }
 
+// The paper roots the tree at random in every step (4.5). At an overlap partner, the climb covers exactly the
+// folds between the two faces, at least one of which has to change.
 void TabuSolver::choose_root() {
   const int x = climb_.chosen;
-  if (model_->n_faces > 1 && x == stuck_face_) {
-    // Reroot into the stuck face's subtree, so that the climb from it runs the other way (4.5).
-    const int size = state_.end(x) - state_.position(x);
-    climb_.root = size > 1 ? state_.face_at(state_.position(x) + 1 + random_.below(size - 1))
-                           : random_.below(model_->n_faces);
+  if (x == stuck_face_) {
+    climb_.root = face_behind_stuck();
     stuck_face_ = -1;
   } else if (settings_.random_root_share >= 1 || random_.unit() < settings_.random_root_share) {
     climb_.root = random_.below(model_->n_faces);
@@ -101,38 +99,47 @@ void TabuSolver::choose_root() {
     for (const auto& [a, b] : state_.pairs())
       if ((a == x || b == x) && random_.below(++n) == 0) climb_.root = a == x ? b : a;
   }
-  state_.root_at(climb_.root);
-  climb_.path.clear();
-  for (int f = x; f != climb_.root; f = model_->beyond(state_.up(f))) climb_.path.push_back(f);
-  climb_.path.push_back(climb_.root);
+  state_.find_path(x, climb_.root, climb_.path);
+  n_up_ = 0;
+  while (n_up_ < climb_.path.size() && climb_.path[n_up_].near_is_child) ++n_up_;
 }
 
-// For the nested near sides S_0 < S_1 < … of the climb: how many stored overlaps have exactly one end inside.
-// One pass: every position gets the level of the first side that holds it; a pair of levels a < b crosses
-// sides a … b-1.
+// Reroots into the stuck face's own subtree, so that the climb from it runs the other way (4.5).
+int TabuSolver::face_behind_stuck() {
+  if (climb_.path.empty()) return random_.below(model_->n_faces);
+  const PathStep& step = climb_.path.front();
+  const int first = state_.position(step.child);
+  const int size = state_.end(step.child) - first;
+  if (step.near_is_child) return state_.face_at(first + random_.below(size));
+  const int i = random_.below(model_->n_faces - size);
+  return state_.face_at(i < first ? i : i + size);
+}
+
+// The sides of the folds on the path that hold the chosen face are nested. Number of the first one that holds
+// this face, or the number of folds: subtrees that grow up to the turn of the path, then the rest of subtrees
+// that shrink.
+int TabuSolver::first_side_with(int face) const {
+  const auto turn = climb_.path.begin() + static_cast<std::ptrdiff_t>(n_up_);
+  const auto above = std::partition_point(
+      climb_.path.begin(), turn, [&](const PathStep& s) { return !state_.in_subtree(face, s.child); });
+  if (above != turn) return static_cast<int>(above - climb_.path.begin());
+  const auto below = std::partition_point(
+      turn, climb_.path.end(), [&](const PathStep& s) { return state_.in_subtree(face, s.child); });
+  return static_cast<int>(below - climb_.path.begin());
+}
+
+// How many stored overlaps every fold on the path separates: a pair whose faces first appear in sides a < b
+// is separated by folds a … b-1.
 void TabuSolver::count_crossings() {
-  const std::size_t n_edges = climb_.path.size() - 1;
-  climb_.crossings.assign(n_edges + 1, 0);
-  std::fill(level_.begin(), level_.end(), static_cast<int>(n_edges));
-  int first = 0;
-  int last = 0;
-  for (std::size_t i = 0; i < n_edges; ++i) {
-    const int begin = state_.position(climb_.path[i]);
-    const int end = state_.end(climb_.path[i]);
-    if (i == 0) first = last = begin;
-    std::fill(level_.begin() + begin, level_.begin() + first, static_cast<int>(i));
-    std::fill(level_.begin() + last, level_.begin() + end, static_cast<int>(i));
-    first = begin;
-    last = end;
-  }
+  climb_.crossings.assign(climb_.path.size() + 1, 0);
   for (const auto& [a, b] : state_.pairs()) {
-    const int x = level_[at(state_.position(a))];
-    const int y = level_[at(state_.position(b))];
+    const int x = first_side_with(a);
+    const int y = first_side_with(b);
     if (x == y) continue;
     ++climb_.crossings[at(std::min(x, y))];
     --climb_.crossings[at(std::max(x, y))];
   }
-  for (std::size_t i = 1; i <= n_edges; ++i) climb_.crossings[i] += climb_.crossings[i - 1];
+  for (std::size_t i = 1; i < climb_.crossings.size(); ++i) climb_.crossings[i] += climb_.crossings[i - 1];
 }
 
 // The worst change a move may bring, drawn before the climb: a Metropolis rule turned into a bound, so that
@@ -145,39 +152,39 @@ int TabuSolver::draw_bound() {
   return static_cast<int>(-temperature * std::log(1 - random_.unit())) + 1;
 }
 
-// From the chosen face to the root: the first edge with an improving exchange wins, else the best on the way
+// From the chosen face to the root: the first fold with an improving exchange wins, else the best on the way
 // (4.3).
 void TabuSolver::climb() {
   climb_.bound = draw_bound();
   climb_.saw_tabu = climb_.saw_free = false;
   climb_.best = {};
-  for (std::size_t i = 0; i + 1 < climb_.path.size(); ++i) {
-    try_edge(i);
+  for (std::size_t i = 0; i < climb_.path.size(); ++i) {
+    try_fold(climb_.path[i], climb_.crossings[i]);
     if (climb_.best.is_found && climb_.best.delta < 0) return;
   }
 }
 
-// All exchanges that replace the tree edge between path[i] and its parent.
-void TabuSolver::try_edge(std::size_t i) {
-  const int x = climb_.path[i];
-  const int parent = climb_.path[i + 1];
-  const int first = state_.position(x);
-  const int last = state_.end(x);
-  const int up = state_.up(x);
-  const auto in_subtree = [&](int f) { return state_.position(f) >= first && state_.position(f) < last; };
+// All exchanges that replace this fold: its near face re-attached on the far side (4.3) and, two-sided, its
+// far face re-attached on the near side.
+void TabuSolver::try_fold(const PathStep& step, int crossing) {
   const SearchModel& m = *model_;
-  for (int h = m.face_begin[at(x)]; h < m.face_begin[at(x) + 1]; ++h)
-    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && !in_subtree(m.beyond(h)))
-      try_reattach(h, x, true, climb_.crossings[i], up);
+  const int up = state_.up(step.child);
+  const auto is_near = [&](int f) { return state_.in_subtree(f, step.child) == step.near_is_child; };
+  const int near_link = step.near_is_child ? up : m.twin[at(up)];
+  for (int h = m.face_begin[at(step.near)]; h < m.face_begin[at(step.near) + 1]; ++h)
+    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && !is_near(m.beyond(h)))
+      try_reattach(h, step, crossing, near_link);
   if (!settings_.two_sided) return;
-  for (int h = m.face_begin[at(parent)]; h < m.face_begin[at(parent) + 1]; ++h)
-    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && in_subtree(m.beyond(h)))
-      try_reattach(h, x, false, climb_.crossings[i], m.twin[at(up)]);
+  const int far_link = m.twin[at(near_link)];
+  for (int h = m.face_begin[at(step.far)]; h < m.face_begin[at(step.far) + 1]; ++h)
+    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && is_near(m.beyond(h)))
+      try_reattach(h, step, crossing, far_link);
 }
 
-// Re-attaches the face of `halfedge` beyond it. The near side is the subtree of `side_root`; when the
-// re-attached face is not in it, the rest moves, which is the same as moving the near side by the inverse.
-void TabuSolver::try_reattach(int halfedge, int side_root, bool moves_subtree, int crossing, int removed) {
+// Re-attaches the face of `halfedge` to the face beyond it. The exchange is told as a motion of the fold's
+// subtree; when the re-attached face is not in that, the rest moves, which is the same as moving the subtree
+// by the inverse.
+void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, int removed) {
   if (times_tabu_[at(halfedge)] > 0) {
     climb_.saw_tabu = true;
     return;
@@ -190,10 +197,10 @@ void TabuSolver::try_reattach(int halfedge, int side_root, bool moves_subtree, i
   const int twin = m.twin[at(halfedge)];
   const Rigid2 there = state_.placement(m.face_of[at(twin)]) * m.unroll[at(twin)];
   Exchange exchange;
-  exchange.first = state_.position(side_root);
-  exchange.last = state_.end(side_root);
-  exchange.motion =
-      moves_subtree ? there * state_.placement(face).inverse() : state_.placement(face) * there.inverse();
+  exchange.first = state_.position(step.child);
+  exchange.last = state_.end(step.child);
+  exchange.motion = face == step.child ? there * state_.placement(face).inverse()
+                                       : state_.placement(face) * there.inverse();
   exchange.removed = removed;
   exchange.inserted = halfedge;
   const int count = state_.count_after(exchange, settings_.counts_bounded ? limit : kUnbounded);

@@ -17,7 +17,7 @@ struct SearchSettings {
   bool two_sided = true;     ///< also re-attach the parent to the moved side: the same tree path, more moves
   double random_root_share = 0.3;  ///< the paper roots at random (4.5); the rest roots at an overlap partner,
                                    ///< so that the climb covers exactly the tree path that has to change
-  bool bounds_worsening = true;  ///< Metropolis bound on the best worsening move, drawn before the climb
+  bool bounds_worsening = true;    ///< Metropolis bound on the best worsening move, drawn before the climb
   bool counts_bounded =
       true;             ///< stop counting overlaps once a candidate cannot win; never changes the answer
   double hottest = 16;  ///< sawtooth of the bound's temperature, in overlaps
@@ -78,8 +78,8 @@ class TabuSolver {
   struct Climb {
     int chosen = -1;
     int root = -1;
-    std::vector<int> path;       // chosen face first, root last
-    std::vector<int> crossings;  // per tree edge of the path: stored overlaps between its two sides
+    std::vector<PathStep> path;  // folds from the chosen face to the root
+    std::vector<int> crossings;  // per fold of the path: stored overlaps between its two sides
     int bound = 0;               // only a change below this can win
     bool saw_tabu = false;
     bool saw_free = false;
@@ -91,8 +91,10 @@ class TabuSolver {
   void choose_root();
   void count_crossings();
   void climb();
-  void try_edge(std::size_t i);
-  void try_reattach(int halfedge, int moved_side_root, bool moves_subtree, int crossing, int removed);
+  void try_fold(const PathStep& step, int crossing);
+  void try_reattach(int halfedge, const PathStep& step, int crossing, int removed);
+  [[nodiscard]] int first_side_with(int face) const;
+  [[nodiscard]] int face_behind_stuck();
   void move();
   void memorize(int halfedge);
   void clear_memory();
@@ -107,7 +109,7 @@ class TabuSolver {
   Random random_;
   SearchState state_;
   Climb climb_;
-  std::vector<int> level_;
+  std::size_t n_up_ = 0;  // how many folds of the path lead towards the preorder's root
   int stuck_face_ = -1;
 
   std::vector<int> memory_;      // the tabu list: a ring of re-attachments that may not be undone
