@@ -173,7 +173,7 @@ class Bench {
         row.wall_seconds = now_seconds() - start;
         enter(result, row);
       });
-      if (!row.is_solved)
+      if (!row.is_solved && row.note.empty())
         row.note =
             watched.was_out_of_time ? "the time was up" : "the final check refused what the search had found";
     } catch (const std::exception& failure) {
