@@ -154,7 +154,8 @@ void EmptyState::sample_cards(UiContext& context, const Renderers& renderers, fl
   const ImVec2 size(std::floor((width - gap * (kColumns - 1)) / kColumns), ui.look.px(148));
   for (std::size_t i = 0; i < samples().size(); ++i) {
     const auto column = static_cast<float>(i % kColumns);
-    const auto line = static_cast<float>(i / kColumns);
+    const std::size_t line_number = i / kColumns;
+    const auto line = static_cast<float>(line_number);
     ImGui::SetCursorScreenPos(ImVec2(start.x + column * (size.x + gap), start.y + line * (size.y + gap)));
     if (card(context, i, size, renderers)) open_sample(context.session, samples()[i]);
   }

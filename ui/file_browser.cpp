@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 
 #include "assets/icons.h"
@@ -36,8 +37,7 @@ std::string bytes_text(std::uintmax_t bytes) {
     value /= 1000;
     ++unit;
   }
-  const auto whole = static_cast<std::uintmax_t>(value + 0.5);
-  return std::to_string(whole) + " " + kUnits[unit];
+  return std::to_string(std::lround(value)) + " " + kUnits[unit];
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What is in the printer and how large the model gets. Each change is one undo step.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "assets/icons.h"
@@ -12,8 +13,8 @@ namespace netwright {
 namespace {
 
 std::string size_text(const PaperFormat& format) {
-  return std::to_string(static_cast<int>(format.width_mm + 0.5)) + " × " +
-         std::to_string(static_cast<int>(format.height_mm + 0.5)) + " mm";
+  return std::to_string(std::lround(format.width_mm)) + " × " +
+         std::to_string(std::lround(format.height_mm)) + " mm";
 }
 
 /// Over the right end of the last item, lighter than ImGui's own triangle.

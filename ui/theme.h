@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include <cmath>
+
 namespace netwright {
 
 enum class ThemeChoice { System, Light, Dark };
@@ -41,9 +43,7 @@ struct Look {
   Fonts fonts;
   float scale = 1;
   /// A length of the design (at 100 %) in whole pixels.
-  [[nodiscard]] float px(float length) const {
-    return static_cast<float>(static_cast<int>(length * scale + 0.5F));
-  }
+  [[nodiscard]] float px(float length) const { return std::round(length * scale); }
 };
 
 Colours colours_of(bool is_dark);

@@ -178,7 +178,8 @@ bool segments(const UiState& ui, const std::string& name, float width, const std
   for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
     const std::string& label = labels[static_cast<std::size_t>(i)];
     if (i > 0) ImGui::SameLine(0, 0);
-    ButtonSpec spec{name + "/" + label, label};
+    ButtonSpec spec{name, label};
+    spec.name.append("/").append(label);
     spec.kind = i == chosen ? ButtonKind::On : ButtonKind::Plain;
     spec.width = i + 1 == static_cast<int>(labels.size()) ? width - each * static_cast<float>(i) : each;
     spec.height = height;
