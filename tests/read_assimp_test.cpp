@@ -101,6 +101,19 @@ TEST(ReadInChild, RefusesEveryBrokenBeginning) {
   }
 }
 
+TEST(ReadInChild, RefusesAListThatAsksForGigabytes) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "memory is not limited under sanitizers";
+#endif
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) append(bytes, x);
+  append(bytes, std::uint32_t{4'000'000'000});
+  for (const int point : {0, 1, 2}) append(bytes, point);
+  EXPECT_NE(refusal("a.ply", bytes).find("more memory than a model should"), std::string::npos);
+}
+
 TEST(SoupBytes, ComeBackAsTheyWere) {
   const PolygonSoup soup = shapes::star(5);
   const PolygonSoup back = readers::unpack("star", readers::pack(soup));

@@ -6,6 +6,7 @@
 
 #include <assimp/Importer.hpp>
 #include <memory>
+#include <new>
 
 #include "core/base/error.h"
 #include "core/mesh/readers.h"
@@ -46,8 +47,11 @@ void add_node(PolygonSoup& soup, const aiScene& scene, const aiNode& node, const
 PolygonSoup read_with_assimp(std::string_view bytes, const std::string& extension) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extension.c_str());
-  if (scene == nullptr || scene->mRootNode == nullptr)
-    throw Error(ErrorKind::Read, importer.GetErrorString());
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    const std::string said = importer.GetErrorString();
+    if (said.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    throw Error(ErrorKind::Read, said);
+  }
   PolygonSoup soup;
   add_node(soup, *scene, *scene->mRootNode, aiMatrix4x4());
   return soup;
