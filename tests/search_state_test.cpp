@@ -121,6 +121,36 @@ TEST(SearchState, PlacementsDriftLessThanTheToleranceOverThousandsOfMoves) {
   }
 }
 
+TEST(BoxKernels, AllFindTheSameBoxes) {
+  Random random(8);
+  for (const int n : {1, 15, 16, 17, 100, 1000}) {
+    BoxLanes lanes;
+    lanes.resize(n);
+    const auto random_box = [&](double size) {
+      const double x = random.unit() * 10;
+      const double y = random.unit() * 10;
+      return BoxF::around(x, y, x + size * random.unit(), y + size * random.unit());
+    };
+    for (int i = 0; i < n; ++i) lanes.set(i, random_box(1));
+    for (int k = 0; k < 50; ++k) {
+      const BoxF box = k == 0 ? lanes.get(0) : random_box(3);
+      std::vector<int> expected;
+      for (int i = 0; i < n; ++i) {
+        const BoxF b = lanes.get(i);
+        if (b.min_x <= box.max_x && b.max_x >= box.min_x && b.min_y <= box.max_y && b.max_y >= box.min_y)
+          expected.push_back(i);
+      }
+      for (const BoxKernel& kernel : box_kernels()) {
+        std::vector<int> found(lanes.min_x.size());
+        found.resize(at(kernel.find(lanes, box, found.data())));
+        ASSERT_EQ(found, expected) << kernel.name;
+        for (int b = 0; 16 * b < n; ++b)
+          ASSERT_EQ(kernel.hits(lanes, b, box), box_kernels()[0].hits(lanes, b, box));
+      }
+    }
+  }
+}
+
 void expect_sound_preorder(const SearchState& state) {
   const SearchModel& m = state.model();
   EXPECT_EQ(state.position(0), 0);

@@ -75,6 +75,15 @@ TEST(TabuSolver, CountingOnlyAsFarAsNeededChangesNoMove) {
   expect_same(run(bounded_paper, 60), run(SearchSettings::paper(), 60));
 }
 
+TEST(TabuSolver, AskingKillersFirstChangesNoMove) {
+  for (SearchSettings settings : {SearchSettings::fast(), SearchSettings::paper()}) {
+    settings.counts_bounded = true;
+    SearchSettings without = settings;
+    without.uses_killers = false;
+    expect_same(run(settings, 150), run(without, 150));
+  }
+}
+
 TEST(TabuSolver, LogReplaysToTheSolverState) {
   const auto dual = make_dual(shapes::torus(12, 8));
   const SearchModel model = search_models(*dual).front();

@@ -1,14 +1,12 @@
-// Sixteen boxes at a time against one: the inner loop of the search's broad phase. Comparisons only, so every
-// path gives the same answer; SSE2 is part of every x86-64, other machines take the plain loop.
+// Many boxes against one, sixteen at a time: the inner loop of the search's broad phase. Comparisons only, so
+// every path gives the same answer; which one runs is chosen when the program starts on the machine it finds
+// itself on.
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
 
 namespace netwright {
 
@@ -55,33 +53,20 @@ struct BoxLanes {
     const auto k = static_cast<std::size_t>(i);
     return {min_x[k], min_y[k], max_x[k], max_y[k]};
   }
-
-  /// Bit j is set when box 16 * block + j meets `box` (closed boxes).
-  [[nodiscard]] unsigned hits(int block, const BoxF& box) const {
-    const auto first = static_cast<std::size_t>(block) * 16;
-    unsigned mask = 0;
-#if defined(__SSE2__)
-    const __m128 lo_x = _mm_set1_ps(box.min_x);
-    const __m128 lo_y = _mm_set1_ps(box.min_y);
-    const __m128 hi_x = _mm_set1_ps(box.max_x);
-    const __m128 hi_y = _mm_set1_ps(box.max_y);
-    for (unsigned q = 0; q < 16; q += 4) {
-      const __m128 x = _mm_and_ps(_mm_cmple_ps(_mm_loadu_ps(&min_x[first + q]), hi_x),
-                                  _mm_cmpge_ps(_mm_loadu_ps(&max_x[first + q]), lo_x));
-      const __m128 y = _mm_and_ps(_mm_cmple_ps(_mm_loadu_ps(&min_y[first + q]), hi_y),
-                                  _mm_cmpge_ps(_mm_loadu_ps(&max_y[first + q]), lo_y));
-      mask |= static_cast<unsigned>(_mm_movemask_ps(_mm_and_ps(x, y))) << q;
-    }
-#else
-    for (unsigned j = 0; j < 16; ++j) {
-      const std::size_t k = first + j;
-      const bool hit =
-          min_x[k] <= box.max_x && max_x[k] >= box.min_x && min_y[k] <= box.max_y && max_y[k] >= box.min_y;
-      mask |= (hit ? 1U : 0U) << j;
-    }
-#endif
-    return mask;
-  }
 };
+
+/// One way of comparing boxes. Closed boxes; those that fill up the last block meet nothing.
+struct BoxKernel {
+  const char* name;
+  /// Bit j is set when box 16 * block + j meets `box`.
+  unsigned (*hits)(const BoxLanes& lanes, int block, const BoxF& box);
+  /// Numbers of all boxes that meet `box`, ascending; `found` must have room for all. Returns how many.
+  int (*find)(const BoxLanes& lanes, const BoxF& box, int* found);
+};
+
+/// The widest kernel this machine can run: AVX2, SSE2 (every x86-64) or plain loops.
+const BoxKernel& best_box_kernel();
+/// All kernels this machine can run, the plain one first: for tests.
+const std::vector<BoxKernel>& box_kernels();
 
 }  // namespace netwright

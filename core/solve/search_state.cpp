@@ -61,7 +61,8 @@ unsigned range_mask(int block, int first, int last) {
 
 }  // namespace
 
-SearchState::SearchState(const SearchModel& model, double depth) : model_(&model), depth_(depth) {
+SearchState::SearchState(const SearchModel& model, double depth, const BoxKernel& kernel, bool uses_killers)
+    : model_(&model), depth_(depth), kernel_(&kernel), uses_killers_(uses_killers) {
   const auto n = at(model.n_faces);
   placement_.resize(n);
   world_.resize(model.verts.size());
@@ -74,6 +75,8 @@ SearchState::SearchState(const SearchModel& model, double depth) : model_(&model
   up_.resize(n);
   lanes_.resize(model.n_faces);
   block_lanes_.resize((model.n_faces + 15) / 16);
+  hit_blocks_.resize(block_lanes_.min_x.size());
+  killers_.assign(at(model.n_halfedges), -1);
 }
 
 void SearchState::set_tree(std::vector<char> is_fold) {
@@ -187,16 +190,28 @@ unsigned SearchState::side_mask(int block) const {
   return queries_side_ ? ~side & 0xFFFFU : side;
 }
 
-template <class Visit>
-bool SearchState::visit_query_face(int face, const std::vector<int>& blocks, Visit&& visit) {
-  const SearchModel& m = *model_;
-  const int first = m.first_vert(face);
-  const int last = m.last_vert(face);
+// The face's vertices where the motion brings them, and the box around them.
+BoxF SearchState::move_query(int face) {
+  const int first = model_->first_vert(face);
+  const int last = model_->last_vert(face);
   moved_.resize(at(last - first));
   for (int v = first; v < last; ++v) moved_[at(v - first)] = motion_(world_[at(v)]);
-  const BoxF box = box_around(moved_.data(), moved_.data() + moved_.size());
-  for (const int b : blocks) {
-    unsigned hits = lanes_.hits(b, box) & side_mask(b);
+  return box_around(moved_.data(), moved_.data() + moved_.size());
+}
+
+void SearchState::find_hit_blocks(const BoxF& box) {
+  const int n = kernel_->find(block_lanes_, box, hit_blocks_.data());
+  n_hit_blocks_ = 0;
+  for (int i = 0; i < n; ++i)
+    if (side_mask(hit_blocks_[at(i)]) != 0) hit_blocks_[at(n_hit_blocks_++)] = hit_blocks_[at(i)];
+}
+
+template <class Visit>
+bool SearchState::visit_query_face(int face, Visit&& visit) {
+  const BoxF box = move_query(face);
+  for (int i = 0; i < n_hit_blocks_; ++i) {
+    const int b = hit_blocks_[at(i)];
+    unsigned hits = kernel_->hits(lanes_, b, box) & side_mask(b);
     while (hits != 0) {
       const int other = order_[at(16 * b + std::countr_zero(hits))];
       hits &= hits - 1;
@@ -207,53 +222,59 @@ bool SearchState::visit_query_face(int face, const std::vector<int>& blocks, Vis
 }
 
 template <class Visit>
-bool SearchState::visit_query_block(int block, unsigned members, Visit&& visit) {
-  const BoxF box = std::popcount(members) == 1
-                       ? moved_box(lanes_.get(16 * block + std::countr_zero(members)), motion_)
-                       : moved_box(block_lanes_.get(block), motion_);
-  hit_blocks_.clear();
-  const int n_groups = static_cast<int>(block_lanes_.min_x.size()) / 16;
-  for (int g = 0; g < n_groups; ++g) {
-    unsigned hits = block_lanes_.hits(g, box);
-    while (hits != 0) {
-      const int b = 16 * g + std::countr_zero(hits);
-      hits &= hits - 1;
-      if (side_mask(b) != 0) hit_blocks_.push_back(b);
-    }
-  }
-  if (hit_blocks_.empty()) return true;
-  while (members != 0) {
+bool SearchState::visit_query_block(int block, unsigned members, int killer, Visit&& visit) {
+  find_hit_blocks(std::popcount(members) == 1
+                      ? moved_box(lanes_.get(16 * block + std::countr_zero(members)), motion_)
+                      : moved_box(block_lanes_.get(block), motion_));
+  if (n_hit_blocks_ == 0) return true;
+  for (; members != 0; members &= members - 1) {
     const int face = order_[at(16 * block + std::countr_zero(members))];
-    members &= members - 1;
-    if (!visit_query_face(face, hit_blocks_, visit)) return false;
+    if (face != killer && !visit_query_face(face, visit)) return false;
   }
   return true;
 }
 
 template <class Visit>
-void SearchState::visit_meetings(const Exchange& exchange, Visit&& visit) {
+bool SearchState::visit_killer(int face, Visit&& visit) {
+  find_hit_blocks(move_query(face));
+  return visit_query_face(face, visit);
+}
+
+// Calls visit(a, b) for every face a of the asking side that overlaps a face b of the other one after the
+// motion, until it returns false. The killer, when it is on the asking side, comes first.
+template <class Visit>
+void SearchState::visit_meetings(const Exchange& exchange, int killer, Visit&& visit) {
   const int n = model_->n_faces;
   side_first_ = exchange.first;
   side_last_ = exchange.last;
   queries_side_ = 2 * (exchange.last - exchange.first) <= n;
   motion_ = queries_side_ ? exchange.motion : exchange.motion.inverse();
-  for (int b = 0; 16 * b < n; ++b) {
+  if (killer >= 0) {
+    const bool is_in_side = position(killer) >= side_first_ && position(killer) < side_last_;
+    if (is_in_side != queries_side_) killer = -1;
+  }
+  if (killer >= 0 && !visit_killer(killer, visit)) return;
+  for (int b = queries_side_ ? side_first_ / 16 : 0; 16 * b < (queries_side_ ? side_last_ : n); ++b) {
     const unsigned side = range_mask(b, side_first_, side_last_);
     const unsigned members = queries_side_ ? side : ~side & range_mask(b, 0, n);
-    if (members != 0 && !visit_query_block(b, members, visit)) return;
-    if (queries_side_ && 16 * b + 16 >= side_last_) return;
+    if (members != 0 && !visit_query_block(b, members, killer, visit)) return;
   }
 }
 
 int SearchState::count_after(const Exchange& exchange, int limit) {
   int count = 0;
-  visit_meetings(exchange, [&](int, int) { return ++count < limit; });
+  int& killer = killers_[at(exchange.inserted)];
+  visit_meetings(exchange, uses_killers_ ? killer : -1, [&](int asking, int) {
+    if (++count < limit) return true;
+    killer = asking;
+    return false;
+  });
   return count;
 }
 
 void SearchState::apply(const Exchange& exchange) {
   std::vector<std::pair<int, int>> gained;
-  visit_meetings(exchange, [&](int a, int b) {
+  visit_meetings(exchange, -1, [&](int a, int b) {
     gained.emplace_back(std::min(a, b), std::max(a, b));
     return true;
   });

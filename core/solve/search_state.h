@@ -30,8 +30,11 @@ struct PathStep {
 
 class SearchState {
  public:
-  /// `depth`: overlaps count from this depth on, in mean edges.
-  SearchState(const SearchModel& model, double depth);
+  /// `depth`: overlaps count from this depth on, in mean edges. The kernel changes only the speed, and so
+  /// does the memory of killers: the faces that last ruled an exchange out are asked first when it is
+  /// considered again.
+  SearchState(const SearchModel& model, double depth, const BoxKernel& kernel = best_box_kernel(),
+              bool uses_killers = true);
 
   [[nodiscard]] const SearchModel& model() const { return *model_; }
 
@@ -87,15 +90,21 @@ class SearchState {
   [[nodiscard]] bool faces_overlap(const glm::dvec2* moved, int moved_face, int face) const;
 
   template <class Visit>
-  void visit_meetings(const Exchange& exchange, Visit&& visit);
+  void visit_meetings(const Exchange& exchange, int killer, Visit&& visit);
   template <class Visit>
-  bool visit_query_block(int block, unsigned members, Visit&& visit);
+  bool visit_killer(int face, Visit&& visit);
   template <class Visit>
-  bool visit_query_face(int face, const std::vector<int>& blocks, Visit&& visit);
+  bool visit_query_block(int block, unsigned members, int killer, Visit&& visit);
+  template <class Visit>
+  bool visit_query_face(int face, Visit&& visit);
+  BoxF move_query(int face);
+  void find_hit_blocks(const BoxF& box);
   [[nodiscard]] unsigned side_mask(int block) const;
 
   const SearchModel* model_;
   double depth_;
+  const BoxKernel* kernel_;
+  bool uses_killers_;
   std::vector<char> is_fold_;
   std::vector<Rigid2> placement_;
   std::vector<glm::dvec2> world_;  // placed vertices of all parts
@@ -115,7 +124,9 @@ class SearchState {
   int side_first_ = 0;
   int side_last_ = 0;
   bool queries_side_ = true;
-  std::vector<int> hit_blocks_;
+  std::vector<int> hit_blocks_;  // room for all blocks; the first n_hit_blocks_ count
+  int n_hit_blocks_ = 0;
+  std::vector<int> killers_;  // per halfedge: the face that last ruled its re-attachment out, or -1
   std::vector<glm::dvec2> moved_;
 };
 

@@ -87,8 +87,8 @@ class GreedyTree {
     moved_.resize(at(m_.last_vert(f) - m_.first_vert(f)));
     const BoxF box = move_vertices(f, motion(h), moved_.data());
     int count = 0;
-    for (int block = 0; 16 * block < n_placed_; ++block) {
-      unsigned hits = lanes_.hits(block, box);
+    for (int block = 0; 16 * block < n_placed_ && count < limit; ++block) {
+      unsigned hits = kernel_.hits(lanes_, block, box);
       while (hits != 0 && count < limit) {
         const int other = placed_[at(16 * block + std::countr_zero(hits))];
         hits &= hits - 1;
@@ -128,6 +128,7 @@ class GreedyTree {
   }
 
   static constexpr int kSamples = 48;
+  const BoxKernel& kernel_ = best_box_kernel();
   const SearchModel& m_;
   Random& random_;
   double depth_;

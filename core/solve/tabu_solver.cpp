@@ -28,7 +28,11 @@ std::size_t memory_length(const SearchModel& model) {
 
 TabuSolver::TabuSolver(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
                        std::uint64_t seed, std::uint64_t stream)
-    : dual_(&dual), model_(&model), settings_(settings), random_(seed, stream), state_(model, kSolveDepth) {
+    : dual_(&dual),
+      model_(&model),
+      settings_(settings),
+      random_(seed, stream),
+      state_(model, kSolveDepth, best_box_kernel(), settings.uses_killers) {
   memory_.assign(memory_length(model), -1);
   times_tabu_.assign(at(model.n_halfedges), 0);
   best_overlaps_ = kUnbounded;

@@ -18,6 +18,7 @@ struct SearchSettings {
   double random_root_share = 0.3;  ///< the paper roots at random (4.5); the rest roots at an overlap partner,
                                    ///< so that the climb covers exactly the tree path that has to change
   bool bounds_worsening = true;    ///< Metropolis bound on the best worsening move, drawn before the climb
+  bool uses_killers = true;  ///< ask the face that ruled an exchange out last time first; changes no answer
   bool counts_bounded =
       true;             ///< stop counting overlaps once a candidate cannot win; never changes the answer
   double hottest = 16;  ///< sawtooth of the bound's temperature, in overlaps
