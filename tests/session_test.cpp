@@ -163,6 +163,16 @@ TEST_F(SessionTest, TheNewestOpenWins) {
   EXPECT_TRUE(messages_.empty());
 }
 
+TEST_F(SessionTest, GivesUpAnOpeningAndKeepsThePresentModel) {
+  open(ball());
+  session_.open_bytes("other.obj", bumpy());
+  session_.cancel_opening();
+  EXPECT_EQ(session_.state(), RunState::Idle);
+  for (int i = 0; i < 50; ++i) frame();
+  EXPECT_EQ(session_.figures().faces, 320);
+  EXPECT_TRUE(messages_.empty());
+}
+
 TEST_F(SessionTest, AModelThatArrivesEndsTheSearch) {
   open(endless());
   session_.unfold();
@@ -447,6 +457,17 @@ TEST_F(SessionTest, PaperAndSizeChangeTheSheetsButNotTheNet) {
   session_.set_size({PrintSize::Kind::Height, 300});
   ASSERT_TRUE(frames_until([&] { return session_.sheets()->size() > 1; }));
   EXPECT_EQ(session_.undo_label(), "Undo print size");
+}
+
+TEST_F(SessionTest, TellsWhereTheShownNetLiesOnItsPages) {
+  open(bumpy());
+  EXPECT_EQ(session_.pages(), nullptr);
+  session_.unfold();
+  ASSERT_TRUE(frames_until_idle());
+  ASSERT_NE(session_.pages(), nullptr);
+  EXPECT_EQ(session_.pages()->pages.size(), session_.sheets()->size());
+  session_.step();
+  EXPECT_EQ(session_.pages(), nullptr) << "another net is being made";
 }
 
 TEST_F(SessionTest, SaysWhyThereAreNoSheets) {
