@@ -314,9 +314,13 @@ TEST(Gui, TheToolbarFitsEveryWindow) {
     EXPECT_GT(net.max.x - net.min.x, 200);
   }
   gui.ui().settings.scale_percent = 200;
-  gui.window.resize({1440, 900});
-  gui.frames(4);
-  expect_toolbar_inside(gui);
+  for (const glm::ivec2 size : {glm::ivec2(1440, 900), glm::ivec2(1024, 700)}) {
+    gui.window.resize(size);
+    gui.frames(4);
+    expect_toolbar_inside(gui);
+    EXPECT_GT(gui.rect("net/picture").max.x - gui.rect("net/picture").min.x, 200);
+  }
+  EXPECT_FALSE(gui.widgets.find("section/Solve").has_value()) << "a narrow window belongs to the views";
 }
 
 TEST(Gui, TheThemeChangesFromTheMenu) {

@@ -36,6 +36,10 @@ std::string needs_sheets(const UiContext& c) {
   return c.session.sheets() == nullptr ? "The pages are still being laid out." : "";
 }
 
+std::string needs_width(const UiContext& c) {
+  return c.ui.has_room_for_side ? "" : "The window is too narrow for the side panel.";
+}
+
 std::string needs_undo(const UiContext& c) { return c.session.can_undo() ? "" : "There is nothing to undo."; }
 std::string needs_redo(const UiContext& c) { return c.session.can_redo() ? "" : "There is nothing to redo."; }
 
@@ -179,7 +183,7 @@ const auto kActions = std::to_array<Action>({
     {ActionId::TogglePages, "Pages", icon::kLayers, {'P', 0}, "Lays the finished net on its paper", always,
      toggle<&Settings::show_pages>, is_set<&Settings::show_pages>, nullptr},
     {ActionId::ToggleSide, "Side panel", icon::kMenu, {kF1Key + 8, 0}, "Shows or hides the panels at the left",
-     always, toggle<&Settings::is_side_open>, is_set<&Settings::is_side_open>, nullptr},
+     needs_width, toggle<&Settings::is_side_open>, is_set<&Settings::is_side_open>, nullptr},
     {ActionId::Keys, "Keys", icon::kKeyboard, {kF1Key, 0}, "Lists keys and mouse gestures", always,
      [](UiContext& c) { c.ui.dialog = Dialog::Keys; }, nullptr, nullptr},
     {ActionId::About, "About Netwright", icon::kInfo, {}, "Says what this program is", always,

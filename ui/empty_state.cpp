@@ -178,7 +178,9 @@ void EmptyState::draw(UiContext& context, const Renderers& renderers) {
   const Look& look = ui.look;
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  ImGui::GetWindowDrawList()->AddRectFilled(min, ImVec2(min.x + room.x, min.y + room.y),
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const ImVec2 extent = ImGui::GetWindowSize();
+  ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + extent.x, corner.y + extent.y),
                                             to_u32(palette_of(ui).background_top));
   const float width = std::min(room.x - look.px(48), look.px(kWidest));
   const bool has_recent = !ui.settings.recent.empty();
@@ -192,12 +194,11 @@ void EmptyState::draw(UiContext& context, const Renderers& renderers) {
   centred_text("or start with a sample", look.fonts.text, look.colours.muted, left + width / 2, y);
   y += look.px(32);
   ImGui::SetCursorScreenPos(ImVec2(left, y));
-  ImGui::PushClipRect(min, ImVec2(min.x + room.x, min.y + room.y), true);
   sample_cards(context, renderers, width);
   y += 2 * look.px(148) + look.px(24);
   ImGui::SetCursorScreenPos(ImVec2(left, y));
   if (has_recent) recent_files(context);
-  ImGui::PopClipRect();
+  ImGui::Dummy(ImVec2(0, look.px(8)));
 }
 
 }  // namespace netwright

@@ -31,11 +31,12 @@ struct UiState {
   WidgetLog* widgets = nullptr;
   bool is_desktop_dark = false;
 
-  double now = 0;          ///< seconds, set by the application before each frame
-  double chore_since = 0;  ///< when the chore in hand began
-  FaceId hovered;          ///< under the pointer, in whichever view
-  FaceId selected;         ///< clicked
-  std::string hint;        ///< what the thing under the pointer does; rebuilt every frame
+  double now = 0;                 ///< seconds, set by the application before each frame
+  double chore_since = 0;         ///< when the chore in hand began
+  bool has_room_for_side = true;  ///< a narrow window belongs to the views
+  FaceId hovered;                 ///< under the pointer, in whichever view
+  FaceId selected;                ///< clicked
+  std::string hint;               ///< what the thing under the pointer does; rebuilt every frame
 
   bool is_open[3] = {false, true, true};  ///< by Section
   Dialog dialog = Dialog::None;

@@ -24,24 +24,36 @@ const Palette& palette_of(const UiState& ui) {
 
 float view_header_height(const UiState& ui) { return ui.look.px(40); }
 
+namespace {
+
+/// The name of the view and, where there is room, its state.
+void header_text(const UiState& ui, const std::string& title, const std::string& state, ImVec2 min,
+                 float width) {
+  const Look& look = ui.look;
+  ImFont* bold = look.fonts.bold;
+  const float y = std::floor(min.y + (view_header_height(ui) - ImGui::GetTextLineHeight()) / 2);
+  const float title_width = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, title.c_str()).x;
+  if (title_width > width) return;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddText(bold, bold->FontSize, ImVec2(min.x, y), look.colours.text, title.c_str());
+  const float left = title_width + look.px(10);
+  if (width - left < look.px(48)) return;
+  draw.AddText(ImVec2(min.x + left, y), look.colours.muted, shortened(state, width - left).c_str());
+}
+
+}  // namespace
+
 void view_header(UiContext& context, const std::string& name, const std::string& title,
                  const std::string& state, ImU32 back, std::initializer_list<ActionId> toggles) {
   UiState& ui = context.ui;
   const Look& look = ui.look;
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, view_header_height(ui));
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(min, ImVec2(min.x + size.x, min.y + size.y), back);
-  const float y = std::floor(min.y + (size.y - ImGui::GetTextLineHeight()) / 2);
-  const float left = min.x + look.px(16);
-  draw.AddText(look.fonts.bold, look.fonts.bold->FontSize, ImVec2(left, y), look.colours.text, title.c_str());
-  const float title_width =
-      look.fonts.bold->CalcTextSizeA(look.fonts.bold->FontSize, FLT_MAX, 0, title.c_str()).x;
+  ImGui::GetWindowDrawList()->AddRectFilled(min, ImVec2(min.x + size.x, min.y + size.y), back);
   const float buttons = static_cast<float>(toggles.size()) * look.px(32);
-  const float state_left = left + title_width + look.px(10);
-  const std::string fitting = shortened(state, min.x + size.x - look.px(16) - buttons - state_left);
-  draw.AddText(ImVec2(state_left, y), look.colours.muted, fitting.c_str());
-  ImGui::SetCursorScreenPos(ImVec2(min.x + size.x - look.px(8) - buttons, min.y + look.px(6)));
+  header_text(ui, title, state, ImVec2(min.x + look.px(16), min.y), size.x - buttons - look.px(32));
+  ImGui::SetCursorScreenPos(
+      ImVec2(std::max(min.x + size.x - look.px(8) - buttons, min.x), min.y + look.px(6)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(4), 0));
   for (const ActionId id : toggles) {
     const Action& entry = action(id);

@@ -16,6 +16,7 @@ constexpr float kToolbarHeight = 48;
 constexpr float kProgressHeight = 32;
 constexpr float kStatusHeight = 30;
 constexpr float kSideWidth = 280;
+constexpr float kLeastViews = 400;  ///< both views together; with less the side panel makes room
 constexpr float kSplitterWidth = 5;
 constexpr int kEscapeKey = 256;
 constexpr int kEnterKey = 257;
@@ -101,7 +102,7 @@ void Workspace::draw_views(UiContext& context, ImVec2 min, ImVec2 size) {
     size.y -= bar;
   }
   if (!context.session.has_model()) {
-    area("##empty", min, size, ImVec2(0, 0), false, [&] { empty_state_.draw(context, renderers_); });
+    area("##empty", min, size, ImVec2(0, 0), true, [&] { empty_state_.draw(context, renderers_); });
     return;
   }
   const float splitter = ui.look.px(kSplitterWidth);
@@ -141,7 +142,8 @@ void Workspace::draw(Session& session, UiState& ui) {
     y += size.y;
   }
   const float bottom = window.y - ui.look.px(kStatusHeight);
-  const float side = ui.settings.is_side_open ? ui.look.px(kSideWidth) : 0;
+  ui.has_room_for_side = window.x >= ui.look.px(kSideWidth + kLeastViews);
+  const float side = ui.settings.is_side_open && ui.has_room_for_side ? ui.look.px(kSideWidth) : 0;
   if (side > 0) {
     area("##side", ImVec2(0, y), ImVec2(side, bottom - y), ImVec2(0, 0), true, [&] {
       side_panel(context);
