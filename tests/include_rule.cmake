@@ -21,7 +21,7 @@ set(foreign
   "[a-z_]+=.*"
   "glm/.*=.*"
   "(sys/[a-z]+|[a-z]+)[.]h=(core/base/[a-z_]+[.](h|cpp)|core/mesh/read_assimp[.]cpp|app/.*)"
-  "[a-z]mmintrin[.]h=core/solve/boxes16[.]h"
+  "[a-z]mmintrin[.]h=core/solve/boxes16[.]cpp"
   "tiny_obj_loader[.]h=core/mesh/read_obj[.]cpp"
   "tiny_gltf[.]h=core/mesh/read_gltf[.]cpp"
   "assimp/.*=core/mesh/read_assimp[.]cpp"
