@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/predicates.h"
+#include "core/base/random.h"
 #include "tests/support.h"
 
 namespace netwright {
@@ -26,6 +29,37 @@ TEST(Solve, EveryShapeOfTheZooBecomesAProvedNetOfOnePiecePerComponent) {
     EXPECT_EQ(result.net.n_pieces, shape.n_components) << shape.soup.name;
     EXPECT_TRUE(result.overlaps.empty()) << shape.soup.name;
   }
+}
+
+// A prism or pyramid over a random outline seen from its middle: large concave faces, narrow notches,
+// slivers. Some of these have no net in one piece at all.
+PolygonSoup random_polyhedron(Random& random) {
+  std::vector<glm::dvec2> outline;
+  const int n = 4 + random.below(12);
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * M_PI * (i + 0.7 * random.unit()) / n;
+    const double r = 0.3 + random.unit();
+    outline.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return shapes::prism(outline, 0.1 + 2 * random.unit());
+}
+
+TEST(Solve, RandomPolyhedraEndAsAProvedNetOrHonestlyWithout) {
+  Random random(21);
+  int n_proved = 0;
+  for (int k = 0; k < 60; ++k) {
+    SolveOptions options;
+    options.seed = static_cast<std::uint64_t>(k);
+    options.max_iterations = 400;
+    const SolveResult result = solve_with(random_polyhedron(random), options);
+    EXPECT_TRUE(result.net.tree.is_forest(result.net.mesh()));
+    EXPECT_EQ(result.is_proved, verify(to_flat_net(result.net, 1)).is_net) << k;
+    if (!result.is_proved) {
+      EXPECT_FALSE(result.overlaps.empty()) << k;
+    }
+    n_proved += result.is_proved ? 1 : 0;
+  }
+  EXPECT_GT(n_proved, 20);
 }
 
 TEST(Solve, SameSeedSameNetOnAnyNumberOfThreads) {
