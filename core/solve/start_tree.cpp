@@ -26,6 +26,8 @@ class GreedyTree {
     placement_.resize(at(m_.n_faces));
     world_.resize(m_.verts.size());
     lanes_.resize(m_.n_faces);
+    block_lanes_.resize((m_.n_faces + 15) / 16);
+    blocks_.resize(block_lanes_.min_x.size());
   }
 
   std::vector<char> grow() {
@@ -62,7 +64,7 @@ class GreedyTree {
     placement_[at(f)] = placement;
     is_placed_[at(f)] = 1;
     if (through >= 0) folds_[at(through)] = folds_[at(m_.twin[at(through)])] = 1;
-    lanes_.set(n_placed_++, move_vertices(f, placement, world_.data() + m_.first_vert(f)));
+    note_box(move_vertices(f, placement, world_.data() + m_.first_vert(f)));
     placed_.push_back(f);
     for (int h = m_.face_begin[at(f)]; h < m_.face_begin[at(f) + 1]; ++h) {
       if (m_.twin[at(h)] < 0 || is_placed_[at(m_.beyond(h))]) continue;
@@ -70,6 +72,15 @@ class GreedyTree {
       const double distance = std::sqrt(there.x * there.x + there.y * there.y);
       heap_.push({distance * inverse_size_ + 0.5 * m_.edge_length[at(h)] + 0.3 * random_.unit(), h});
     }
+  }
+
+  // Faces placed one after the other mostly grow along one arm, so sixteen of them share a small box.
+  void note_box(const BoxF& box) {
+    const int block = n_placed_ / 16;
+    const BoxF all = block_lanes_.get(block);
+    block_lanes_.set(block, {std::min(all.min_x, box.min_x), std::min(all.min_y, box.min_y),
+                             std::max(all.max_x, box.max_x), std::max(all.max_y, box.max_y)});
+    lanes_.set(n_placed_++, box);
   }
 
   BoxF move_vertices(int f, const Rigid2& placement, glm::dvec2* out) const {
@@ -87,10 +98,11 @@ class GreedyTree {
     moved_.resize(at(m_.last_vert(f) - m_.first_vert(f)));
     const BoxF box = move_vertices(f, motion(h), moved_.data());
     int count = 0;
-    for (int block = 0; 16 * block < n_placed_ && count < limit; ++block) {
-      unsigned hits = kernel_.hits(lanes_, block, box);
+    const int n_blocks = kernel_.find(block_lanes_, box, blocks_.data());
+    for (int i = 0; i < n_blocks && count < limit; ++i) {
+      unsigned hits = kernel_.hits(lanes_, blocks_[at(i)], box);
       while (hits != 0 && count < limit) {
-        const int other = placed_[at(16 * block + std::countr_zero(hits))];
+        const int other = placed_[at(16 * blocks_[at(i)] + std::countr_zero(hits))];
         hits &= hits - 1;
         count += overlaps_placed(f, other) ? 1 : 0;
       }
@@ -140,7 +152,9 @@ class GreedyTree {
   std::vector<glm::dvec2> world_;
   std::vector<glm::dvec2> moved_;
   std::vector<int> placed_;
-  BoxLanes lanes_;
+  BoxLanes lanes_;        // boxes in the order of placing
+  BoxLanes block_lanes_;  // boxes of 16 of them
+  std::vector<int> blocks_;
   std::priority_queue<Candidate> heap_;
   std::vector<int> aside_;
 };
