@@ -75,6 +75,7 @@ void Application::handle(const WindowEvent& event) {
       ui_.wants_quit = true;
       break;
     case WindowEvent::Kind::MouseButton:
+    case WindowEvent::Kind::MouseMove:
     case WindowEvent::Kind::Scroll:
     case WindowEvent::Kind::Resize:
       break;

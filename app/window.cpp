@@ -263,7 +263,12 @@ class GlfwWindow final : public Window {
     glfwSetWindowRefreshCallback(
         w, [](GLFWwindow* window) { self(window).on_simple(WindowEvent::Kind::Resize); });
     glfwSetWindowFocusCallback(w, ImGui_ImplGlfw_WindowFocusCallback);
-    glfwSetCursorEnterCallback(w, ImGui_ImplGlfw_CursorEnterCallback);
+    glfwSetCursorPosCallback(
+        w, [](GLFWwindow* window, double, double) { self(window).on_simple(WindowEvent::Kind::MouseMove); });
+    glfwSetCursorEnterCallback(w, [](GLFWwindow* window, int has_entered) {
+      self(window).on_simple(WindowEvent::Kind::MouseMove);
+      ImGui_ImplGlfw_CursorEnterCallback(window, has_entered);
+    });
   }
 
   GlfwLibrary library_;

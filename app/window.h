@@ -53,6 +53,7 @@ struct WindowEvent {
     Key,          ///< pressed (or repeated): key, modifiers, is_repeat
     Text,         ///< one typed character: code_point
     MouseButton,  ///< button (0 left, 1 right, 2 middle), is_pressed, modifiers
+    MouseMove,    ///< the pointer moved, came or left
     Scroll,       ///< amount
     Drop,         ///< files dropped on the window: paths
     Close,        ///< the user asked to close it
