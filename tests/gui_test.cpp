@@ -153,6 +153,10 @@ TEST(Gui, PinsTheFaceUnderThePointerAndUndoesIt) {
   EXPECT_EQ(gui.session().project().pinned_root, face);
   ASSERT_TRUE(gui.unfold());
   EXPECT_TRUE(gui.session().shown()->net.tree.is_root(face)) << "runs must keep the pinned root";
+  gui.point(centre(gui.rect("toolbar/Pin root")));
+  ASSERT_FALSE(gui.ui().hovered.is_valid());
+  gui.click("toolbar/Pin root");
+  EXPECT_FALSE(gui.session().project().pinned_root.is_valid()) << "the button lets go of the pin";
 }
 
 TEST(Gui, AFaceUnderThePointerLightsUpInBothViews) {

@@ -61,6 +61,10 @@ std::string needs_face(const UiContext& c) {
   return chosen_face(c).is_valid() ? "" : "Click a face first, or point at one and press the key.";
 }
 
+std::string needs_face_or_pin(const UiContext& c) {
+  return c.session.project().pinned_root.is_valid() ? "" : needs_face(c);
+}
+
 std::string needs_selection(const UiContext& c) {
   return c.ui.selected.is_valid() ? "" : "No face is selected.";
 }
@@ -112,7 +116,8 @@ void pin_root(UiContext& c) {
 
 std::string root_label(const UiContext& c) {
   const FaceId face = chosen_face(c);
-  return face.is_valid() && face == c.session.project().pinned_root ? "Unpin root" : "Pin root";
+  const FaceId pinned = c.session.project().pinned_root;
+  return pinned.is_valid() && (!face.is_valid() || face == pinned) ? "Unpin root" : "Pin root";
 }
 
 std::string undo_label(const UiContext& c) { return c.session.undo_label(); }
@@ -166,8 +171,8 @@ const auto kActions = std::to_array<Action>({
      stop_or_skip, nullptr, nullptr},
     {ActionId::NewSeed, "New seed", icon::kSeed, {'N', 0}, "Searches again with the next seed", needs_model,
      [](UiContext& c) { c.session.new_seed(); }, nullptr, nullptr},
-    {ActionId::PinRoot, "Pin root", icon::kRoot, {'R', 0}, "Layout and tree start at this face", needs_face,
-     pin_root, nullptr, root_label},
+    {ActionId::PinRoot, "Pin root", icon::kRoot, {'R', 0}, "Layout and tree start at this face",
+     needs_face_or_pin, pin_root, nullptr, root_label},
     {ActionId::SkipReplay, "Skip the replay", icon::kSkip, {}, "Shows the finished net at once", needs_replay,
      [](UiContext& c) { c.session.skip_replay(); }, nullptr, nullptr},
     {ActionId::Frame, "Frame all", icon::kFullscreen, {'F', 0}, "Fits model and net into their views", needs_model,

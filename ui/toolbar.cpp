@@ -48,14 +48,16 @@ const char* unfold_icon(const UiContext& context) {
 ButtonSpec spec_of(const UiContext& context, const BarItem& item, bool has_labels) {
   const Action& wanted = action(item.id);
   const bool is_main = item.id == ActionId::Unfold;
+  const bool is_pin = item.id == ActionId::PinRoot;
   ButtonSpec spec{"toolbar/" + std::string(wanted.name), "", wanted.icon, ""};
   if (is_main) spec.icon = unfold_icon(context);
   const std::string label = is_main ? label_of(context, wanted) : item.label;
   if (has_labels && item.kind == Item::Action) spec.label = label;
-  // Without its label a button has to say its name in the tooltip.
-  spec.tip = (spec.label.empty() ? label_of(context, wanted) + ": " : "") + tip_of(context, wanted);
+  // Without its label a button has to say its name in the tooltip, and the root's whether it pins or lets go.
+  spec.tip = (spec.label.empty() || is_pin ? label_of(context, wanted) + ": " : "") + tip_of(context, wanted);
   spec.is_enabled = is_possible(context, item.id);
   if (is_main) spec.kind = ButtonKind::Accent;
+  if (is_pin && context.session.project().pinned_root.is_valid()) spec.kind = ButtonKind::On;
   // The main button changes its word while it is watched; its neighbours must not jump.
   if (is_main && has_labels) spec.width = context.ui.look.px(104);
   return spec;
