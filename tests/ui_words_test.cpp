@@ -22,6 +22,7 @@ TEST(StatusWords, CountWithTheRightNumber) {
 }
 
 TEST(StatusWords, GiveTimesInTheUnitThatFits) {
+  EXPECT_EQ(duration_text(0.00004), "under 0.1 ms");
   EXPECT_EQ(duration_text(0.0024), "2.4 ms");
   EXPECT_EQ(duration_text(0.44), "0.4 s");
   EXPECT_EQ(duration_text(12.2), "12 s");

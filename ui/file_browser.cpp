@@ -174,7 +174,7 @@ void FileBrowser::draw_places(UiState& ui) {
 std::optional<fs::path> FileBrowser::draw_entries(UiState& ui) {
   std::optional<fs::path> chosen;
   if (!trouble_.empty()) ImGui::TextWrapped("%s", trouble_.c_str());
-  if (entries_.empty() && trouble_.empty()) text_muted(ui, "No such files in this folder.");
+  if (entries_.empty() && trouble_.empty()) text_muted(ui, "No files of this kind in this folder.");
   if (scroll_to_top_) ImGui::SetScrollY(0);
   scroll_to_top_ = false;
   const std::vector<Entry> listed =

@@ -23,6 +23,15 @@ bool needs_framing(const PanZoomCamera& camera, const Box2& box) {
   return is_outside || std::max(share.x, share.y) < kTooSmall;
 }
 
+/// An empty desk says what will lie on it.
+void draw_empty_desk(const UiState& ui, const ImVec2& corner, const ImVec2& size) {
+  const std::string text = shortened("Press Space: the net will be found here", size.x - ui.look.px(32));
+  const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at(std::floor(corner.x + (size.x - extent.x) / 2),
+                  std::floor(corner.y + (size.y - extent.y) / 2));
+  ImGui::GetWindowDrawList()->AddText(at, ui.look.colours.text, text.c_str());
+}
+
 }  // namespace
 
 void NetView::follow_net(UiContext& context, const Scene& scene) {
@@ -104,6 +113,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   const auto texture = reinterpret_cast<ImTextureID>(renderers.net_picture.texture());
   ImGui::GetWindowDrawList()->AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y),
                                        ImVec2(0, 1), ImVec2(1, 0));
+  if (scene.net() == nullptr && context.session.state() == RunState::Idle) draw_empty_desk(ui, corner, size);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
   draw_legend(ui, scene.shown().get());
 }

@@ -107,6 +107,7 @@ std::string counted(std::int64_t number, const std::string& one, const std::stri
 }
 
 std::string duration_text(double seconds) {
+  if (seconds > 0 && seconds < 5e-5) return "under 0.1 ms";
   if (seconds < 0.1) return number_text("%.1f ms", seconds * 1000);
   if (seconds < 10) return number_text("%.1f s", seconds);
   if (seconds < 120) return number_text("%.0f s", seconds);
