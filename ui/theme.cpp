@@ -130,7 +130,7 @@ Colours colours_of(bool is_dark) {
   c.field = opaque(is_dark ? 0x2D3137 : 0xFFFFFF);
   c.border = opaque(is_dark ? 0x41464E : 0xCDD2D9);
   c.text = opaque(is_dark ? 0xE6E8EB : 0x1B1E23);
-  c.muted = opaque(is_dark ? 0xA3A9B2 : 0x59616C);
+  c.muted = opaque(is_dark ? 0xA3A9B2 : 0x4B535D);
   c.faint = opaque(is_dark ? 0x6D737C : 0xA0A6AF);
   c.hover = opaque(is_dark ? 0x33383F : 0xE9ECF1);
   c.accent = opaque(is_dark ? 0x4C72E6 : 0x3355C8);
