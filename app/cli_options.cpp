@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/paper.h"
 #include "core/mesh/read.h"
 #include "core/sheet/write.h"
 
@@ -91,6 +92,8 @@ class Reader {
     unfold_.search = style();
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
+    // "a4" is understood; what is printed calls it by its own name.
+    if (const auto paper = find_paper(unfold_.paper.format)) unfold_.paper.format = paper->name;
     return unfold_;
   }
 
@@ -200,6 +203,8 @@ class Reader {
   static std::string sentence(std::string message) {
     while (!message.empty() && (message.back() == '.' || message.back() == '\n')) message.pop_back();
     std::replace(message.begin(), message.end(), '\n', ' ');
+    const std::string::size_type twice = message.find(" At Most 1 required but received ");
+    if (twice != std::string::npos) message = message.substr(0, twice) + " it is given more than once";
     return message + "; see netwright-cli --help.";
   }
 

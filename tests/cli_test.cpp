@@ -137,6 +137,7 @@ TEST_F(CommandLine, RefusesWhatCannotWorkBeforeItSearches) {
     expect_refusal(run({"unfold", model, "--seed", seed}), "--seed");
   }
   expect_refusal(run({"unfold", model, "--time-limit", "nan"}), "--time-limit");
+  expect_refusal(run({"unfold", model, "--seed", "1", "--seed", "2"}), "more than once");
   expect_refusal(run({"unfold", model, "--fast"}), "--fast");
   expect_refusal(run({"unfold"}), "MODEL");
   expect_refusal(run({"fold", model}), "unfold, verify, info or bench");
