@@ -94,6 +94,7 @@ TEST(SearchState, CountsAMoveAsItTurnsOut) {
       crossing += inside(a) != inside(b) ? 1 : 0;
     }
     const int expected = state.overlaps() - crossing + state.count_after(exchange, 1 << 29);
+    EXPECT_EQ(state.count_as_paper(exchange), state.count_after(exchange, 1 << 29));
     const int limit = 1 + random.below(5);
     const int bounded = state.count_after(exchange, limit);
     EXPECT_EQ(bounded, std::min(limit, state.count_after(exchange, 1 << 29)));

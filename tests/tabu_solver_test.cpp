@@ -71,12 +71,14 @@ TEST(TabuSolver, CountingOnlyAsFarAsNeededChangesNoMove) {
   full.counts_bounded = false;
   expect_same(run(SearchSettings::fast(), 200), run(full, 200));
   SearchSettings bounded_paper = SearchSettings::paper();
+  bounded_paper.counts_as_paper = false;
   bounded_paper.counts_bounded = true;
   expect_same(run(bounded_paper, 60), run(SearchSettings::paper(), 60));
 }
 
 TEST(TabuSolver, AskingKillersFirstChangesNoMove) {
   for (SearchSettings settings : {SearchSettings::fast(), SearchSettings::paper()}) {
+    settings.counts_as_paper = false;
     settings.counts_bounded = true;
     SearchSettings without = settings;
     without.uses_killers = false;

@@ -294,25 +294,6 @@ void SearchState::set_pairs(std::vector<std::pair<int, int>> pairs) {
   }
 }
 
-void SearchState::find_all_pairs() {
-  // The sweep of the paper's Algorithm 2, on the float boxes.
-  std::vector<int> swept(order_);
-  std::sort(swept.begin(), swept.end(), [this](int a, int b) {
-    return box_[at(a)].min_x != box_[at(b)].min_x ? box_[at(a)].min_x < box_[at(b)].min_x : a < b;
-  });
-  std::vector<std::pair<int, int>> found;
-  for (std::size_t i = 0; i < swept.size(); ++i) {
-    const int a = swept[i];
-    const BoxF& box = box_[at(a)];
-    for (std::size_t j = i + 1; j < swept.size() && box_[at(swept[j])].min_x <= box.max_x; ++j) {
-      const int b = swept[j];
-      if (box_[at(b)].min_y > box.max_y || box.min_y > box_[at(b)].max_y) continue;
-      if (faces_overlap(&world_[at(model_->first_vert(a))], a, b))
-        found.emplace_back(std::min(a, b), std::max(a, b));
-    }
-  }
-  std::sort(found.begin(), found.end());
-  set_pairs(std::move(found));
-}
+void SearchState::find_all_pairs() { set_pairs(sweep()); }
 
 }  // namespace netwright

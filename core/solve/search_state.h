@@ -66,6 +66,10 @@ class SearchState {
   /// Overlaps between the moved side and the rest after the exchange's motion; stops counting at `limit`.
   [[nodiscard]] int count_after(const Exchange& exchange, int limit);
 
+  /// The same, counted to the end in the paper's way (4.7): under log n moved faces one by one, more by a
+  /// sweep.
+  [[nodiscard]] int count_as_paper(const Exchange& exchange);
+
   /// Carries the exchange out: O(faces of the smaller side × what lies near them + the stretch of preorder
   /// between the old and the new place of the side).
   void apply(const Exchange& exchange);
@@ -84,6 +88,9 @@ class SearchState {
   void drop_crossing_pairs(const Exchange& exchange);
   void place_from_tree();
   void find_all_pairs();
+  [[nodiscard]] std::vector<std::pair<int, int>> sweep() const;
+  int count_naively();
+  int count_by_sweep();
   void set_pairs(std::vector<std::pair<int, int>> pairs);
   void count_face(int f, int change);
   void gather_boxes(int first, int last);

@@ -207,7 +207,9 @@ void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, 
                                        : state_.placement(face) * there.inverse();
   exchange.removed = removed;
   exchange.inserted = halfedge;
-  const int count = state_.count_after(exchange, settings_.counts_bounded ? limit : kUnbounded);
+  const int count = settings_.counts_as_paper
+                        ? state_.count_as_paper(exchange)
+                        : state_.count_after(exchange, settings_.counts_bounded ? limit : kUnbounded);
   if (count >= limit) return;
   climb_.bound = count - crossing;
   climb_.best = {exchange, count - crossing, true};

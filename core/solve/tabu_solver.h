@@ -18,10 +18,10 @@ struct SearchSettings {
   double random_root_share = 0.3;  ///< the paper roots at random (4.5); the rest roots at an overlap partner,
                                    ///< so that the climb covers exactly the tree path that has to change
   bool bounds_worsening = true;    ///< Metropolis bound on the best worsening move, drawn before the climb
-  bool uses_killers = true;  ///< ask the face that ruled an exchange out last time first; changes no answer
-  bool counts_bounded =
-      true;             ///< stop counting overlaps once a candidate cannot win; never changes the answer
-  double hottest = 16;  ///< sawtooth of the bound's temperature, in overlaps
+  bool uses_killers = true;    ///< ask the face that ruled an exchange out last time first; changes no answer
+  bool counts_bounded = true;  ///< stop counting once a candidate cannot win; changes no answer
+  bool counts_as_paper = false;  ///< count by the paper's log n rule (4.7) instead; changes no answer
+  double hottest = 16;           ///< sawtooth of the bound's temperature, in overlaps
   double coldest = 0.8;
   int period = 5;         ///< iterations per face of one tooth
   int restart_after = 5;  ///< iterations per face without a new fewest before a new start tree
@@ -34,6 +34,7 @@ struct SearchSettings {
     s.random_root_share = 1;
     s.bounds_worsening = false;
     s.counts_bounded = false;
+    s.counts_as_paper = true;
     s.restart_after = 50;
     return s;
   }
