@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/sheet/number_text.h"
+
 namespace netwright {
 namespace {
 
@@ -46,7 +48,7 @@ std::string files_line(const std::vector<std::filesystem::path>& files, const Pa
   std::string line;
   for (const std::filesystem::path& file : files) line += (line.empty() ? "Written: " : ", ") + file.string();
   return line + " (" + counted(static_cast<std::int64_t>(layout.pages.size()), "page ", "pages ") +
-         command.paper.format + ", the model " + format("%.3g mm", layout.model_height_mm) + " high)";
+         command.paper.format + ", the model " + short_number(layout.model_height_mm) + " mm high)";
 }
 
 std::string unsolved_sentence(const Mesh& mesh, const SolveResult& result, const UnfoldCommand& command) {

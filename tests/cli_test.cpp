@@ -90,6 +90,9 @@ TEST_F(CommandLine, PrintsAtTheHeightThatIsAskedFor) {
   const Ended ended = run({"unfold", model, "-o", at("big.pdf"), "--height", "150", "--paper", "a4"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.out.find("150 mm high"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("A4, the model"), std::string::npos) << ended.out;
+  const Ended tall = run({"unfold", model, "-o", at("tall.pdf"), "--height", "1500"});
+  EXPECT_NE(tall.out.find("1500 mm high"), std::string::npos) << tall.out;
   expect_refusal(run({"unfold", model, "--height", "150", "--fit-page"}), "--height");
   expect_refusal(run({"unfold", model, "--height", "-1"}), "--height");
   expect_refusal(run({"unfold", model, "--paper", "A99"}), "A99");
