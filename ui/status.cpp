@@ -38,7 +38,8 @@ void add_run(std::string& text, const RunFigures& figures, bool is_running) {
   }
   if (figures.restarts > 0) add(text, counted(figures.restarts, "restart", "restarts"));
   add(text, "seed " + std::to_string(figures.seed));
-  add(text, duration_text(figures.seconds));
+  // The clock stands still while a person steps from move to move.
+  if (figures.seconds > 0) add(text, duration_text(figures.seconds));
 }
 
 Status running_status(const RunFigures& figures, const char* verb) {
