@@ -42,9 +42,9 @@ int run_verify(const VerifyCommand& command) {
 }
 
 int run_info(const InfoCommand& command) {
-  PolygonSoup soup = read_soup(command.model);
+  const PolygonSoup soup = read_soup(command.model);
   const std::string name = soup.name;
-  const PreparedModel model = prepare(std::move(soup));
+  const PreparedModel model = prepare(soup);
   if (command.is_json) {
     print(to_text(info_json(model.report, model.refusal, command), {.is_indented = true}));
     return model.is_fit() ? kGood : kNotGood;

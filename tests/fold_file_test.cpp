@@ -42,7 +42,7 @@ std::string refusal(const std::string& text) {
     parse_fold(text, "bad.fold");
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::Read);
-    const std::string sentence = error.what();
+    std::string sentence = error.what();
     EXPECT_EQ(sentence.rfind("bad.fold ", 0), 0U) << sentence;
     EXPECT_EQ(sentence.back(), '.') << sentence;
     return sentence;

@@ -21,7 +21,7 @@ using testing::zoo;
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Overlaps by the plain detection on a fresh layout of the state's folds, in the model's numbering.
-std::vector<std::pair<int, int>> plain_overlaps(std::shared_ptr<const DualGraph> dual,
+std::vector<std::pair<int, int>> plain_overlaps(const std::shared_ptr<const DualGraph>& dual,
                                                 const SearchModel& model, const SearchState& state) {
   WholeTree whole(dual, FaceId());
   whole.set(model, state.folds());

@@ -13,14 +13,14 @@ OpenedModel open_model(const ModelSource& source, Progress& progress) {
   const bool is_file = !source.path.empty();
   const std::string name = is_file ? source.path.filename().string() : source.name;
   progress.set_phase("Reading " + name);
-  PolygonSoup soup =
+  const PolygonSoup soup =
       is_file ? read_soup(source.path) : read_soup_bytes(source.name, source.bytes, source.companions);
   OpenedModel model;
   model.path = source.path;
   model.notices = soup.notices;
 
   progress.set_phase("Checking " + name);
-  PreparedModel prepared = prepare(std::move(soup));
+  PreparedModel prepared = prepare(soup);
   if (!prepared.is_fit()) throw Error(ErrorKind::Unfit, prepared.refusal);
   for (const MeshReport::Line& line : prepared.report.lines)
     if (line.kind == MeshReport::Line::Kind::Notice) model.notices.push_back(line.text);

@@ -16,7 +16,6 @@ namespace {
 using namespace print_style;
 
 constexpr double kLeft = 0;
-constexpr double kCentre = 0.5;
 constexpr double kRight = 1;
 
 constexpr double kTitleSize = 4.8;
