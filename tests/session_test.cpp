@@ -242,6 +242,15 @@ TEST_F(SessionTest, NewSeedRunsTheNextSeed) {
   EXPECT_EQ(*session_.project().tree, solved_directly().net.tree);
 }
 
+TEST_F(SessionTest, TellsThePaceOfALongSearchWhicheverStreamIsAhead) {
+  open(endless());
+  session_.unfold();
+  EXPECT_TRUE(frames_until([this] { return session_.figures().moves_per_second > 0; }));
+  EXPECT_EQ(session_.state(), RunState::Running);
+  session_.stop();
+  EXPECT_TRUE(frames_until_idle());
+}
+
 TEST_F(SessionTest, PlaysAFastRunBackWithinTwoSeconds) {
   open_and_unfold_between_two_frames(bumpy());
   const double started = now_;

@@ -18,6 +18,9 @@ constexpr double kFollowable = 5;
 constexpr double kRateSeconds = 0.25;
 constexpr double kRateBlend = 0.4;
 
+/// Stands for no stream of its own: the moves of all of them count.
+constexpr int kAllStreams = -1;
+
 }  // namespace
 
 SearchRun::SearchRun(Worker& worker, std::shared_ptr<const DualGraph> dual, const SolveOptions& options,
@@ -101,17 +104,25 @@ void SearchRun::take_figures(const Snapshot& snapshot) {
   figures_.restarts = snapshot.restarts;
   figures_.history = snapshot.history;
   figures_.history_stride = snapshot.history_stride;
-  if (snapshot.stream != stream_) {
-    stream_ = snapshot.stream;
-    rate_moves_ = snapshot.moves;
+  take_rate(snapshot);
+}
+
+// At full speed the pace is that of all streams, between which the picture may jump; move by move it is the
+// picture's.
+void SearchRun::take_rate(const Snapshot& snapshot) {
+  const int counted = is_paused_ || std::isfinite(speed_) ? snapshot.stream : kAllStreams;
+  const std::int64_t moves = counted == kAllStreams ? snapshot.moves_of_all : snapshot.moves;
+  if (counted != rate_stream_ || moves < rate_moves_) {
+    rate_stream_ = counted;
+    rate_moves_ = moves;
     rate_seconds_ = seconds_;
   }
   const double elapsed = seconds_ - rate_seconds_;
   if (elapsed < kRateSeconds) return;
-  const double rate = static_cast<double>(snapshot.moves - rate_moves_) / elapsed;
+  const double rate = static_cast<double>(moves - rate_moves_) / elapsed;
   double& shown = figures_.moves_per_second;
   shown = shown > 0 ? shown + kRateBlend * (rate - shown) : rate;
-  rate_moves_ = snapshot.moves;
+  rate_moves_ = moves;
   rate_seconds_ = seconds_;
 }
 

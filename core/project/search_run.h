@@ -65,6 +65,7 @@ class SearchRun {
   static void work(Channel& channel, std::shared_ptr<const DualGraph> dual, const SolveOptions& options,
                    Progress& progress);
   void take_figures(const Snapshot& snapshot);
+  void take_rate(const Snapshot& snapshot);
 
   std::shared_ptr<const DualGraph> dual_;
   SolveOptions options_;
@@ -79,7 +80,7 @@ class SearchRun {
   double last_tick_;
   double rate_seconds_ = 0;      ///< seconds() when the rate was last measured
   std::int64_t rate_moves_ = 0;  ///< and the moves made then
-  int stream_ = 0;
+  int rate_stream_ = -2;         ///< whose moves they are: a stream, or all
   int n_pictures_ = 0;
 };
 

@@ -169,7 +169,11 @@ void Showing::post(const TabuSolver& solver, const MoveRecord* last_move, bool i
   snapshot->net = whole_->net();
   if (!is_at_end) snapshot->overlaps = find_overlaps(snapshot->net, kSolveDepth);
   const Portfolio& portfolio = *(*portfolios_)[component_];
-  for (int k = 0; k < portfolio.n_streams(); ++k) snapshot->iterations += portfolio.stream(k).iterations();
+  snapshot->moves_of_all = earlier_moves_;
+  for (int k = 0; k < portfolio.n_streams(); ++k) {
+    snapshot->iterations += portfolio.stream(k).iterations();
+    snapshot->moves_of_all += portfolio.stream(k).moves();
+  }
   snapshot->moves = earlier_moves_ + solver.moves();
   if (!is_at_end) {
     for (int e = place_.episode; e <= solver.restarts(); ++e)

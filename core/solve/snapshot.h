@@ -33,7 +33,9 @@ struct Snapshot {
   std::vector<Overlap> overlaps;
   std::int64_t iterations = 0;  ///< moves tried, of all streams
   std::int64_t moves = 0;       ///< moves made by the stream shown
-  int restarts = 0;             ///< of the stream shown
+  std::int64_t moves_of_all =
+      0;             ///< moves made by all streams up to now, shown or not: the search's true pace
+  int restarts = 0;  ///< of the stream shown
   int stream = 0;
   int best_overlaps = 0;     ///< fewest so far, over all streams
   std::vector<int> history;  ///< overlaps after each move of the stream shown, thinned to at most 2000 values
