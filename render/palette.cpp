@@ -13,7 +13,7 @@ Palette meanings() {
   p.overlap = rgb(0xE5484D, 0.62F);
   p.overlap_hatch = rgb(0xA60F1C, 0.9F);
   p.selection = rgb(0x18A058);
-  p.chosen = rgb(0xC026D3, 0.55F);
+  p.chosen = rgb(0xC026D3, 0.62F);
   p.climbed = rgb(0xE879F9, 0.28F);
   p.candidate = rgb(0xD61FD6);
   return p;

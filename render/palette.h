@@ -42,7 +42,7 @@ struct Palette {
   Colour root_rim;
   Colour overlap;  ///< fill of an overlapping face
   Colour overlap_hatch;
-  Colour hover;      ///< mixed into the face by its alpha
+  Colour hover;      ///< mixed into the face by its alpha; faces with a strong fill take white instead
   Colour selection;  ///< outline
   Colour chosen;     ///< the face a move starts from
   Colour climbed;    ///< the path climbed by a move

@@ -13,7 +13,7 @@
 namespace netwright {
 namespace {
 
-enum class Mark { Line, Dot, Hatch };
+enum class Mark { Line, Dot, Fill, Hatch };
 
 struct Entry {
   std::string label;
@@ -28,17 +28,19 @@ std::vector<Entry> entries_of(const UiState& ui, const ShownNet& shown) {
   const bool is_stepping = !shown.climbed.empty();
   std::vector<Entry> entries;
   if (is_stepping) {
-    entries.push_back({"climb", Mark::Line, p.candidate});
+    if (shown.last_move) entries.push_back({"chosen", Mark::Fill, p.chosen});
+    entries.push_back({"climb", Mark::Line, Colour(glm::vec3(p.chosen), 1)});
     entries.push_back({"candidate", Mark::Line, p.candidate, {4, 3}});
   } else {
     entries.push_back({"cut", Mark::Line, p.cut});
     entries.push_back({"mountain", Mark::Line, p.mountain, {6, 2, 2, 2}});
     entries.push_back({"valley", Mark::Line, p.valley, {4, 3}});
   }
-  if (ui.settings.show_tree) entries.push_back({"tree", Mark::Line, p.tree});
-  if (ui.settings.show_root) entries.push_back({"root", Mark::Dot, p.root});
+  // Where room runs out the last ones go: tree and root have switches of their own that say what they are.
   if (ui.settings.show_overlaps && !shown.overlaps.empty())
     entries.push_back({"overlap", Mark::Hatch, p.overlap});
+  if (ui.settings.show_tree) entries.push_back({"tree", Mark::Line, p.tree});
+  if (ui.settings.show_root) entries.push_back({"root", Mark::Dot, p.root});
   return entries;
 }
 
@@ -48,7 +50,7 @@ float label_width(const UiState& ui, const Entry& entry) {
 }
 
 struct Spacing {
-  float swatch = 32;  ///< of a line; dots and hatches are square
+  float swatch = 32;  ///< of a line; dots and fills are square
   float gap = 16;
 };
 
@@ -104,6 +106,8 @@ void draw_swatch(const UiState& ui, const Entry& entry, ImVec2 min, ImVec2 max) 
   } else if (entry.mark == Mark::Dot) {
     draw.AddCircleFilled(middle, ui.look.px(4.5F), to_u32(entry.colour), 16);
     draw.AddCircle(middle, ui.look.px(4.5F), to_u32(palette_of(ui).root_rim), 16, 1.5F * ui.look.scale);
+  } else if (entry.mark == Mark::Fill) {
+    draw.AddRectFilled(min, max, to_u32(entry.colour), ui.look.px(2));
   } else {
     draw_hatch(ui, entry, min, max);
   }

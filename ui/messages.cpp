@@ -52,6 +52,16 @@ void draw_toast(const UiState& ui, const Toast& toast, std::size_t index, ImVec2
   ImGui::PopStyleVar(2);
 }
 
+/// Under a dialog nobody reads them: they wait, and their time does not run. True while they do.
+bool hold_back(UiState& ui) {
+  if (ui.toasts_held_at >= 0) {
+    for (Toast& toast : ui.toasts) toast.until += ui.now - ui.toasts_held_at;
+  }
+  const bool is_held = ui.dialog != Dialog::None;
+  ui.toasts_held_at = is_held ? ui.now : -1;
+  return is_held;
+}
+
 }  // namespace
 
 void take_messages(UiContext& context) {
@@ -91,6 +101,7 @@ void draw_error_bar(UiState& ui) {
 }
 
 void draw_toasts(UiState& ui, ImVec2 bottom_right) {
+  if (hold_back(ui)) return;
   std::erase_if(ui.toasts, [&](const Toast& toast) { return toast.until <= ui.now; });
   float above = 0;
   for (std::size_t i = ui.toasts.size(); i-- > 0;) draw_toast(ui, ui.toasts[i], i, bottom_right, above);

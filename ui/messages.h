@@ -14,7 +14,7 @@ float error_bar_height(const UiState& ui, float width);
 /// Draws it into the present window.
 void draw_error_bar(UiState& ui);
 
-/// Toasts at the bottom right of a rectangle.
+/// Toasts at the bottom right of a rectangle; none while a dialog is open.
 void draw_toasts(UiState& ui, ImVec2 bottom_right);
 
 }  // namespace netwright

@@ -44,6 +44,7 @@ struct UiState {
 
   std::string error;  ///< on the bar above the views; empty when there is none
   std::deque<Toast> toasts;
+  double toasts_held_at = -1;  ///< the last frame a dialog held the toasts back; negative while none does
 
   std::uint64_t draft = 0;  ///< bits of the number being typed, until the field is left
 

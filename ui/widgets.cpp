@@ -70,6 +70,16 @@ bool scalar_field(UiState& ui, const std::string& name, ImGuiDataType type, Numb
   return is_new;
 }
 
+/// Below the last item, or above where the window ends, so that its neighbours stay in sight.
+ImVec2 place_of_tooltip(const UiState& ui, ImVec2 size) {
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const float gap = ui.look.px(6);
+  const float below = ImGui::GetItemRectMax().y + gap;
+  const float y = below + size.y <= window.y ? below : min.y - gap - size.y;
+  return {std::floor(std::clamp(min.x, 0.0F, std::max(0.0F, window.x - size.x - gap))), std::floor(y)};
+}
+
 }  // namespace
 
 void note_widget(const UiState& ui, const std::string& name) {
@@ -80,9 +90,13 @@ void note_widget(const UiState& ui, const std::string& name) {
 
 void tooltip(const UiState& ui, const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.look.px(10), ui.look.px(6)));
+  const ImVec2 padding(ui.look.px(10), ui.look.px(6));
+  const float wrap = ui.look.px(320);
+  const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap - padding.x);
+  ImGui::SetNextWindowPos(place_of_tooltip(ui, {extent.x + 2 * padding.x, extent.y + 2 * padding.y}));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ui.look.px(320));
+  ImGui::PushTextWrapPos(wrap);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
