@@ -17,6 +17,7 @@
 #include "core/base/worker.h"
 #include "core/mesh/read.h"
 #include "core/mesh/repair.h"
+#include "core/unfold/obstruction.h"
 
 namespace netwright {
 namespace {
@@ -191,6 +192,8 @@ class Bench {
     row.cpu_seconds = result.cpu_seconds;
     row.verify_seconds = result.verify_seconds;
     if (!result.proof.faults.empty()) row.note = result.proof.faults.front();
+    if (result.isolated_face.is_valid())
+      row.note = isolated_face_sentence(result.net.mesh(), result.isolated_face);
   }
 
   Watched watch(RunLine& line, std::optional<double> limit, const std::function<void(Progress&)>& job) {

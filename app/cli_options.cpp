@@ -17,7 +17,8 @@ namespace {
 
 constexpr const char* kFooter =
     "Exit status of unfold: 0 one proved net per component, 1 usage, input or output error,\n"
-    "2 not within the limits, 130 cancelled; files are written only with 0. Of verify: 0 a net, 2 not one,\n"
+    "2 not within the limits, 3 proved impossible, 130 cancelled; files are written only with 0. Of verify: "
+    "0 a net, 2 not one,\n"
     "1 unreadable. Of info: 0 fit to unfold, 2 needs repair, 1 unreadable. Of bench: 0 when it ran through,\n"
     "1 usage or output error, 130 cancelled.";
 

@@ -13,6 +13,7 @@
 #include "core/mesh/repair.h"
 #include "core/sheet/page_frame.h"
 #include "core/sheet/write.h"
+#include "core/unfold/obstruction.h"
 
 namespace netwright {
 namespace {
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr int kDone = 0;
 constexpr int kUnsolved = 2;
+constexpr int kImpossible = 3;
 constexpr int kCancelled = 130;
 
 std::string known_formats() {
@@ -163,6 +165,10 @@ int run_unfold(const UnfoldCommand& command) {
     tell_success(command, outcome, drawing);
   }
   if (result.is_proved) return kDone;
+  if (result.isolated_face.is_valid()) {
+    complain(isolated_face_sentence(mesh, result.isolated_face));
+    return kImpossible;
+  }
   complain(unsolved_sentence(mesh, result, command));
   return kUnsolved;
 }

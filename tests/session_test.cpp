@@ -21,8 +21,8 @@ constexpr double kAMoveInTenSeconds = 0.1;
 
 std::string bumpy() { return shapes::to_obj(shapes::bumpy_patch(6, 6)); }
 std::string ball() { return shapes::to_obj(shapes::icosphere(4)); }
-/// No net of it in one piece is known: a search goes on until it is told to end.
-std::string endless() { return shapes::to_obj(shapes::star(12)); }
+/// A search that goes on until it is told to end.
+std::string endless() { return shapes::to_obj(testing::long_search()); }
 
 class SessionTest : public ::testing::Test {
  protected:

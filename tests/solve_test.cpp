@@ -8,6 +8,7 @@
 
 #include "core/base/predicates.h"
 #include "core/base/random.h"
+#include "core/unfold/obstruction.h"
 #include "tests/support.h"
 
 namespace netwright {
@@ -60,6 +61,42 @@ TEST(Solve, RandomPolyhedraEndAsAProvedNetOrHonestlyWithout) {
     n_proved += result.is_proved ? 1 : 0;
   }
   EXPECT_GT(n_proved, 20);
+}
+
+// An upright star of seven points whose notches are `notch_radius` deep; below 0.467 of the tips' radius they
+// open less than a right angle.
+PolygonSoup seven_pointed_star(double notch_radius) {
+  std::vector<glm::dvec2> outline;
+  for (int i = 0; i < 14; ++i) {
+    const double r = i % 2 == 0 ? 1 : notch_radius;
+    outline.emplace_back(r * std::cos(i * M_PI / 7), r * std::sin(i * M_PI / 7));
+  }
+  PolygonSoup soup = shapes::prism(outline, 0.5);
+  soup.name = "star.obj";
+  return soup;
+}
+
+TEST(Solve, SaysWhichFaceMakesANetImpossibleInsteadOfSearching) {
+  const SolveResult result = solve_with(seven_pointed_star(0.45), {});
+  ASSERT_TRUE(result.isolated_face.is_valid());
+  EXPECT_EQ(result.net.mesh().degree(result.isolated_face), 14);
+  EXPECT_FALSE(result.is_proved);
+  EXPECT_EQ(result.iterations, 0);
+  const std::string words = isolated_face_sentence(result.net.mesh(), result.isolated_face);
+  EXPECT_NE(words.find("star.obj has no net in one piece: face "), std::string::npos) << words;
+}
+
+TEST(Solve, NearMissesOfTheImpossibleAreUnfolded) {
+  for (const double notch_radius : {0.48, 0.5, 0.6}) {
+    const SolveResult result = solve_with(seven_pointed_star(notch_radius), {});
+    EXPECT_FALSE(result.isolated_face.is_valid()) << notch_radius;
+    EXPECT_TRUE(result.is_proved) << notch_radius;
+  }
+}
+
+TEST(Solve, NoFaceOfTheZooIsIsolated) {
+  for (const auto& shape : zoo())
+    EXPECT_FALSE(find_isolated_face(*make_dual(shape.soup)).is_valid()) << shape.soup.name;
 }
 
 TEST(Solve, SameSeedSameNetOnAnyNumberOfThreads) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/mesh/dual_graph.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/shapes.h"
@@ -64,6 +65,15 @@ inline std::vector<ZooShape> zoo() {
   mixed.genus = 1;
   mixed.n_components = 2;
   return all;
+}
+
+/// Nearly flat terrain, full of saddles that each want two cuts: the hardest there is for its size. A search
+/// for its net takes many seconds, so it can be watched, paused and stopped at leisure.
+inline PolygonSoup long_search() {
+  PolygonSoup soup = shapes::bumpy_patch(36, 36);
+  Random random(1);
+  for (glm::dvec3& p : soup.points) p.y = 0.05 * random.unit();
+  return soup;
 }
 
 /// The shape turned inside out.

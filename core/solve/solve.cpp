@@ -7,6 +7,7 @@
 #include "core/base/predicates.h"
 #include "core/solve/portfolio.h"
 #include "core/solve/showing.h"
+#include "core/unfold/obstruction.h"
 
 namespace netwright {
 
@@ -38,6 +39,7 @@ class SolveJob {
         whole_(dual_, options.root) {}
 
   SolveResult run() {
+    result_.isolated_face = find_isolated_face(*dual_);
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       search(attempt);
       collect();
@@ -61,7 +63,7 @@ class SolveJob {
     for (std::size_t c = 0; c < models_.size(); ++c) {
       Portfolio& portfolio = *portfolios_[c];
       showing.begin(c);
-      while (!portfolio.is_solved() && !progress_.is_cancelled() &&
+      while (!result_.isolated_face.is_valid() && !portfolio.is_solved() && !progress_.is_cancelled() &&
              (options_.max_iterations == 0 || portfolio.mark() < options_.max_iterations)) {
         showing.before_round();
         portfolio.advance(progress_, options_.max_iterations);

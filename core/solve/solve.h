@@ -50,6 +50,8 @@ struct SolveResult {
   Net net;  ///< the best found; a proved net when is_proved
   bool is_proved = false;
   bool was_cancelled = false;
+  FaceId isolated_face;  ///< proves, where it is valid, that no net exists (see unfold/obstruction.h): no
+                         ///< search is made
   VerifyReport proof;
   std::vector<Overlap> overlaps;  ///< what is left, deeper than kShownDepth
   int stream = 0;                 ///< which one found it

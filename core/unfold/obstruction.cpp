@@ -1,0 +1,68 @@
+// Tries every hinge of every face by itself.
+#include "core/unfold/obstruction.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/predicates.h"
+#include "core/unfold/overlap.h"
+
+namespace netwright {
+
+namespace {
+
+using Part = std::vector<glm::dvec2>;
+
+std::vector<Part> placed_parts(const DualGraph& dual, FaceId f, const Rigid2& placement) {
+  std::vector<Part> parts;
+  for (int k = 0; k < dual.n_parts(f); ++k) {
+    Part& part = parts.emplace_back();
+    for (const int corner : dual.part(f, k))
+      part.push_back(placement(dual.flat(HalfedgeId(dual.mesh().first(f).value + corner))));
+  }
+  return parts;
+}
+
+// Deeper than the proof would ever let pass, so that a doubtful contact is no obstruction.
+bool overlaps_when_joined(const DualGraph& dual, HalfedgeId h) {
+  const double depth = 2 * kProofDepth * dual.mesh().mean_edge();
+  const auto own = placed_parts(dual, dual.mesh().face(h), Rigid2());
+  const auto other = placed_parts(dual, dual.mesh().neighbour(h), dual.unroll(h));
+  return std::any_of(own.begin(), own.end(), [&](const Part& a) {
+    return std::any_of(other.begin(), other.end(),
+                       [&](const Part& b) { return convex_overlap(a, b, depth); });
+  });
+}
+
+}  // namespace
+
+FaceId find_isolated_face(const DualGraph& dual) {
+  const Mesh& mesh = dual.mesh();
+  for (const FaceId f : mesh.faces()) {
+    // Two convex faces lie on different sides of the edge that joins them; only a concave one can be in the
+    // way.
+    bool has_hinge = false;
+    bool is_blocked = true;
+    for (const HalfedgeId h : mesh.halfedges(f)) {
+      const FaceId g = mesh.neighbour(h);
+      if (!g.is_valid()) continue;
+      has_hinge = true;
+      const bool may_overlap = dual.n_parts(f) > 1 || dual.n_parts(g) > 1;
+      if (!may_overlap || !overlaps_when_joined(dual, h)) {
+        is_blocked = false;
+        break;
+      }
+    }
+    if (has_hinge && is_blocked) return f;
+  }
+  return {};
+}
+
+std::string isolated_face_sentence(const Mesh& mesh, FaceId face) {
+  return mesh.name() + " has no net in one piece: face " + std::to_string(mesh.face_source(face) + 1) +
+         " overlaps every neighbour that could be joined to it; split that face or widen its notches in a "
+         "modelling "
+         "program.";
+}
+
+}  // namespace netwright
