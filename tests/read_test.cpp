@@ -3,6 +3,7 @@
 #include "core/mesh/read.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <glm/geometric.hpp>
 
@@ -31,7 +32,9 @@ std::string refusal(const std::filesystem::path& path) {
 /// A folder of its own for each test, removed afterwards.
 class Folder {
  public:
-  Folder() : path_(std::filesystem::path(::testing::TempDir()) / "netwright_read_test_áé") {
+  Folder()
+      : path_(std::filesystem::path(::testing::TempDir()) /
+              ("netwright_read_test_áé_" + std::to_string(getpid()))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
