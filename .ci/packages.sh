@@ -19,11 +19,12 @@ need() {
     say "Going on in the hope that all of it is installed."
     return 0
   fi
-  local package status missing=()
+  local package status states missing=()
   local -A installed=()
+  states=$(dpkg-query -W -f='${Package} ${db:Status-Abbrev}\n' "$@" 2>/dev/null) || true  # it fails when some are missing
   while read -r package status; do
-    [[ $status == ?i* ]] && installed[$package]=yes
-  done < <(dpkg-query -W -f='${Package} ${db:Status-Abbrev}\n' "$@" 2>/dev/null)
+    [[ $status != ?i* ]] || installed[$package]=yes
+  done <<<"$states"
   for package in "$@"; do
     [[ -n ${installed[$package]:-} ]] || missing+=("$package")
   done
