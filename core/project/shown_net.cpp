@@ -87,6 +87,9 @@ void trace_move(ShownNet& shown, const MoveRecord& move) {
     shown.climbed.push_back(up);
     f = up;
   }
+  // The search also samples cuts away from the path; of those, only the one it took is known.
+  if (const EdgeId taken = mesh.edge(move.inserted); is_taken[taken.index()] == 0)
+    shown.candidates.push_back(taken);
 }
 
 Net layout_from(std::shared_ptr<const DualGraph> dual, UnfoldTree tree, const std::vector<FaceId>& roots) {

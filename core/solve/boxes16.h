@@ -28,6 +28,13 @@ struct BoxF {
     };
     return {low(min_x), low(min_y), high(max_x), high(max_y)};
   }
+  /// Grows to contain the other box.
+  void add(const BoxF& b) {
+    min_x = b.min_x < min_x ? b.min_x : min_x;
+    min_y = b.min_y < min_y ? b.min_y : min_y;
+    max_x = b.max_x > max_x ? b.max_x : max_x;
+    max_y = b.max_y > max_y ? b.max_y : max_y;
+  }
 };
 
 /// Boxes by coordinate, in blocks of 16; what fills up the last block is empty and meets nothing.

@@ -16,27 +16,29 @@ constexpr std::int64_t kFirstRound = 32;
 }  // namespace
 
 Portfolio::Portfolio(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
-                     std::uint64_t seed, int n_streams, std::uint64_t first_stream, ThreadPool& pool)
+                     std::uint64_t seed, int n_streams, std::uint64_t first_stream, ThreadPool& pool,
+                     const Progress& progress)
     : pool_(&pool),
+      progress_(&progress),
       streams_(static_cast<std::size_t>(std::max(1, n_streams))),
       cpu_seconds_(streams_.size(), 0),
       longest_round_(std::clamp<std::int64_t>(200'000 / model.n_faces, kFirstRound, 1024)) {
   pool.run(this->n_streams(), [&](int k) {
     const double before = thread_cpu_seconds();
     const auto i = static_cast<std::size_t>(k);
-    streams_[i] = std::make_unique<TabuSolver>(dual, model, settings, seed, first_stream + i);
+    streams_[i] = std::make_unique<TabuSolver>(dual, model, settings, seed, first_stream + i, &progress);
     cpu_seconds_[i] += thread_cpu_seconds() - before;
   });
   find_winner();
 }
 
-void Portfolio::advance(const Progress& progress, std::int64_t max_iterations) {
+void Portfolio::advance(std::int64_t max_iterations) {
   mark_ += std::clamp<std::int64_t>(mark_, kFirstRound, longest_round_);
   if (max_iterations > 0) mark_ = std::min(mark_, max_iterations);
   pool_->run(n_streams(), [&](int k) {
     const double before = thread_cpu_seconds();
     TabuSolver& solver = *streams_[static_cast<std::size_t>(k)];
-    while (!solver.is_solved() && solver.iterations() < mark_ && !progress.is_cancelled()) solver.step();
+    while (!solver.is_solved() && solver.iterations() < mark_ && !progress_->is_cancelled()) solver.step();
     cpu_seconds_[static_cast<std::size_t>(k)] += thread_cpu_seconds() - before;
   });
   find_winner();

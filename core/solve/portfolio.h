@@ -14,12 +14,14 @@ namespace netwright {
 
 class Portfolio {
  public:
+  /// `progress` cancels the start trees and later rounds alike; it must outlive the portfolio.
   Portfolio(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
-            std::uint64_t seed, int n_streams, std::uint64_t first_stream, ThreadPool& pool);
+            std::uint64_t seed, int n_streams, std::uint64_t first_stream, ThreadPool& pool,
+            const Progress& progress);
 
   /// Takes every stream to the next mark (or until it is solved, cancelled or at max_iterations, 0 = no
   /// limit).
-  void advance(const Progress& progress, std::int64_t max_iterations);
+  void advance(std::int64_t max_iterations);
 
   [[nodiscard]] bool is_solved() const { return winner_ >= 0; }
   /// The stream to look at: the winner, else the one with the fewest overlaps now.
@@ -35,6 +37,7 @@ class Portfolio {
   void find_winner();
 
   ThreadPool* pool_;
+  const Progress* progress_;
   std::vector<std::unique_ptr<TabuSolver>> streams_;
   std::vector<double> cpu_seconds_;
   std::int64_t mark_ = 0;

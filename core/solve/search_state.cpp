@@ -1,5 +1,5 @@
 // Keeps placements and overlaps in step with the tree. A move changes only overlaps between its two sides, so
-// the smaller side asks and the larger answers: boxes of blocks of 16 neighbours in preorder, then boxes of
+// the smaller side asks and the larger answers: boxes of 256 and of 16 neighbours in preorder, then boxes of
 // faces, then the separating-axis test. A side is an interval of the preorder, so belonging to it is a bit
 // mask.
 #include "core/solve/search_state.h"
@@ -75,6 +75,8 @@ SearchState::SearchState(const SearchModel& model, double depth, const BoxKernel
   up_.resize(n);
   lanes_.resize(model.n_faces);
   block_lanes_.resize((model.n_faces + 15) / 16);
+  group_lanes_.resize((model.n_faces + 255) / 256);
+  hit_groups_.resize(group_lanes_.min_x.size());
   hit_blocks_.resize(block_lanes_.min_x.size());
   killers_.assign(at(model.n_halfedges), -1);
 }
@@ -118,10 +120,14 @@ void SearchState::gather_boxes(int first, int last) {
     for (int i = b * 16; i < std::min(n, b * 16 + 16); ++i) {
       const BoxF& box = box_[at(order_[at(i)])];
       lanes_.set(i, box);
-      all = {std::min(all.min_x, box.min_x), std::min(all.min_y, box.min_y), std::max(all.max_x, box.max_x),
-             std::max(all.max_y, box.max_y)};
+      all.add(box);
     }
     block_lanes_.set(b, all);
+  }
+  for (int g = first / 256; g * 256 < last; ++g) {
+    BoxF all;
+    for (int b = g * 16; b < std::min((n + 15) / 16, g * 16 + 16); ++b) all.add(block_lanes_.get(b));
+    group_lanes_.set(g, all);
   }
 }
 
@@ -155,10 +161,15 @@ BoxF SearchState::move_query(int face) {
 }
 
 void SearchState::find_hit_blocks(const BoxF& box) {
-  const int n = kernel_->find(block_lanes_, box, hit_blocks_.data());
   n_hit_blocks_ = 0;
-  for (int i = 0; i < n; ++i)
-    if (side_mask(hit_blocks_[at(i)]) != 0) hit_blocks_[at(n_hit_blocks_++)] = hit_blocks_[at(i)];
+  const int n = kernel_->find(group_lanes_, box, hit_groups_.data());
+  for (int i = 0; i < n; ++i) {
+    const int group = hit_groups_[at(i)];
+    for (unsigned hits = kernel_->hits(block_lanes_, group, box); hits != 0; hits &= hits - 1) {
+      const int block = 16 * group + std::countr_zero(hits);
+      if (side_mask(block) != 0) hit_blocks_[at(n_hit_blocks_++)] = block;
+    }
+  }
 }
 
 template <class Visit>
@@ -178,7 +189,7 @@ bool SearchState::visit_query_face(int face, Visit&& visit) {
 
 template <class Visit>
 bool SearchState::visit_query_block(int block, unsigned members, int killer, Visit&& visit) {
-  find_hit_blocks(std::popcount(members) == 1
+  find_hit_blocks((members & (members - 1)) == 0
                       ? moved_box(lanes_.get(16 * block + std::countr_zero(members)), motion_)
                       : moved_box(block_lanes_.get(block), motion_));
   if (n_hit_blocks_ == 0) return true;

@@ -16,8 +16,8 @@ struct Exchange {
   int first = 0;  ///< one side in preorder positions: first … last-1
   int last = 0;
   Rigid2 motion;      ///< what moves that side (moving the rest by the inverse is the same net)
-  int removed = -1;   ///< halfedge of the re-attached face towards its old neighbour
-  int inserted = -1;  ///< halfedge of the re-attached face towards its new neighbour
+  int removed = -1;   ///< halfedge of the fold that becomes a cut, on the re-attached side
+  int inserted = -1;  ///< halfedge of the cut that becomes a fold, on the re-attached side
 };
 
 /// A fold on the way from one face to another.
@@ -125,12 +125,14 @@ class SearchState {
   std::vector<int> stack_, moved_order_;
   BoxLanes lanes_;        // faces' boxes in preorder
   BoxLanes block_lanes_;  // boxes of 16 consecutive ones
+  BoxLanes group_lanes_;  // boxes of 16 consecutive blocks
 
   // What visit_meetings works on.
   Rigid2 motion_;
   int side_first_ = 0;
   int side_last_ = 0;
   bool queries_side_ = true;
+  std::vector<int> hit_groups_;  // room for all groups
   std::vector<int> hit_blocks_;  // room for all blocks; the first n_hit_blocks_ count
   int n_hit_blocks_ = 0;
   std::vector<int> killers_;  // per halfedge: the face that last ruled its re-attachment out, or -1

@@ -16,8 +16,8 @@ namespace netwright {
 struct MoveRecord {
   FaceId chosen;
   FaceId root;
-  HalfedgeId removed;   ///< halfedge of the moved face towards its old parent
-  HalfedgeId inserted;  ///< halfedge of the moved face towards its new parent
+  HalfedgeId removed;   ///< halfedge of the moved side towards its old parent
+  HalfedgeId inserted;  ///< halfedge of the moved side towards its new parent
   int overlaps_after = 0;
 };
 

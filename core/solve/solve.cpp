@@ -56,7 +56,7 @@ class SolveJob {
     for (std::size_t c = 0; c < models_.size(); ++c) {
       const std::uint64_t first_stream = (static_cast<std::uint64_t>(attempt) << 48) + (c << 16);
       portfolios_.push_back(std::make_unique<Portfolio>(*dual_, models_[c], settings(options_), options_.seed,
-                                                        options_.streams, first_stream, pool_));
+                                                        options_.streams, first_stream, pool_, progress_));
       whole_.set(models_[c], portfolios_[c]->stream(portfolios_[c]->lead()).state().folds());
     }
     Showing showing(whole_, models_, portfolios_, hooks_);
@@ -66,7 +66,7 @@ class SolveJob {
       while (!result_.isolated_face.is_valid() && !portfolio.is_solved() && !progress_.is_cancelled() &&
              (options_.max_iterations == 0 || portfolio.mark() < options_.max_iterations)) {
         showing.before_round();
-        portfolio.advance(progress_, options_.max_iterations);
+        portfolio.advance(options_.max_iterations);
         if (!showing.after_round()) progress_.cancel();
       }
       whole_.set(models_[c], portfolio.stream(portfolio.best()).best_folds());

@@ -19,8 +19,12 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class GreedyTree {
  public:
-  GreedyTree(const SearchModel& model, Random& random, double depth)
-      : m_(model), random_(random), depth_(depth), inverse_size_(1 / std::sqrt(model.total_area)) {
+  GreedyTree(const SearchModel& model, Random& random, double depth, const Progress* progress)
+      : m_(model),
+        random_(random),
+        depth_(depth),
+        progress_(progress),
+        inverse_size_(1 / std::sqrt(model.total_area)) {
     folds_.assign(at(m_.n_halfedges), 0);
     is_placed_.assign(at(m_.n_faces), 0);
     placement_.resize(at(m_.n_faces));
@@ -37,7 +41,7 @@ class GreedyTree {
         const int h = heap_.top().halfedge;
         heap_.pop();
         if (is_placed_[at(m_.beyond(h))]) continue;
-        if (count_overlaps(h, 1) == 0) {
+        if (is_cancelled() || count_overlaps(h, 1) == 0) {
           place(m_.beyond(h), motion(h), h);
         } else {
           aside_.push_back(h);
@@ -58,6 +62,7 @@ class GreedyTree {
     }
   };
 
+  [[nodiscard]] bool is_cancelled() const { return progress_ != nullptr && progress_->is_cancelled(); }
   [[nodiscard]] Rigid2 motion(int h) const { return placement_[at(m_.face_of[at(h)])] * m_.unroll[at(h)]; }
 
   void place(int f, const Rigid2& placement, int through) {
@@ -77,9 +82,9 @@ class GreedyTree {
   // Faces placed one after the other mostly grow along one arm, so sixteen of them share a small box.
   void note_box(const BoxF& box) {
     const int block = n_placed_ / 16;
-    const BoxF all = block_lanes_.get(block);
-    block_lanes_.set(block, {std::min(all.min_x, box.min_x), std::min(all.min_y, box.min_y),
-                             std::max(all.max_x, box.max_x), std::max(all.max_y, box.max_y)});
+    BoxF all = block_lanes_.get(block);
+    all.add(box);
+    block_lanes_.set(block, all);
     lanes_.set(n_placed_++, box);
   }
 
@@ -128,7 +133,8 @@ class GreedyTree {
     int best = -1;
     int least = std::numeric_limits<int>::max();
     const int n = static_cast<int>(aside_.size());
-    for (int k = 0; k < std::min(n, kSamples) && least > 1; ++k) {
+    const int n_samples = is_cancelled() ? 1 : std::min(n, kSamples);
+    for (int k = 0; k < n_samples && least > 1; ++k) {
       std::swap(aside_[at(k)], aside_[at(k + random_.below(n - k))]);
       const int count = count_overlaps(aside_[at(k)], least);
       if (count < least) {
@@ -144,6 +150,7 @@ class GreedyTree {
   const SearchModel& m_;
   Random& random_;
   double depth_;
+  const Progress* progress_;
   double inverse_size_;
   int n_placed_ = 0;
   std::vector<char> folds_;
@@ -161,8 +168,9 @@ class GreedyTree {
 
 }  // namespace
 
-std::vector<char> greedy_folds(const SearchModel& model, Random& random, double depth) {
-  return GreedyTree(model, random, depth).grow();
+std::vector<char> greedy_folds(const SearchModel& model, Random& random, double depth,
+                               const Progress* progress) {
+  return GreedyTree(model, random, depth, progress).grow();
 }
 
 std::vector<char> steepest_edge_folds(const DualGraph& dual, const SearchModel& model, Random& random) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/random.h"
 #include "core/solve/search_model.h"
 #include "core/unfold/unfold_tree.h"
@@ -13,8 +14,9 @@ namespace netwright {
 /// Folds of a tree grown from a random face: the half-edge with the largest key |place of the new face's
 /// centre| / sqrt(area) + 0.5 edge / mean edge + 0.3 random goes first; a face that would overlap what is
 /// placed already is put aside, and when nothing else is left the least overlapping of up to 48 sampled ones
-/// is forced in.
-std::vector<char> greedy_folds(const SearchModel& model, Random& random, double depth);
+/// is forced in. Once `progress` (may be null) is cancelled, the rest is put on without looking.
+std::vector<char> greedy_folds(const SearchModel& model, Random& random, double depth,
+                               const Progress* progress = nullptr);
 
 /// Folds of the paper's start tree for a random direction.
 std::vector<char> steepest_edge_folds(const DualGraph& dual, const SearchModel& model, Random& random);

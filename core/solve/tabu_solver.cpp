@@ -27,10 +27,11 @@ std::size_t memory_length(const SearchModel& model) {
 }  // namespace
 
 TabuSolver::TabuSolver(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
-                       std::uint64_t seed, std::uint64_t stream)
+                       std::uint64_t seed, std::uint64_t stream, const Progress* progress)
     : dual_(&dual),
       model_(&model),
       settings_(settings),
+      progress_(progress),
       random_(seed, stream),
       state_(model, kSolveDepth, best_box_kernel(), settings.uses_killers) {
   memory_.assign(memory_length(model), -1);
@@ -41,11 +42,11 @@ TabuSolver::TabuSolver(const DualGraph& dual, const SearchModel& model, const Se
 }
 
 void TabuSolver::start() {
-  state_.set_tree(settings_.greedy_start ? greedy_folds(*model_, random_, kSolveDepth)
+  state_.set_tree(settings_.greedy_start ? greedy_folds(*model_, random_, kSolveDepth, progress_)
                                          : steepest_edge_folds(*dual_, *model_, random_));
   clear_memory();
   stuck_face_ = -1;
-  episode_first_iteration_ = last_gain_ = iterations_;
+  last_gain_ = iterations_;
   episode_best_ = state_.overlaps();
   if (logged_moves_ > kLoggedMoves) {
     episodes_.clear();
@@ -147,13 +148,11 @@ void TabuSolver::count_crossings() {
 }
 
 // The worst change a move may bring, drawn before the climb: a Metropolis rule turned into a bound, so that
-// counting can stop early from the first candidate on. The paper takes the best move however bad.
+// counting can stop early from the first candidate on. The paper takes the best move however bad. The
+// temperature stays the same: phases of cooling freeze large models.
 int TabuSolver::draw_bound() {
   if (!settings_.bounds_worsening) return kUnbounded;
-  const double tooth = static_cast<double>(settings_.period) * model_->n_faces;
-  const double phase = std::fmod(static_cast<double>(iterations_ - episode_first_iteration_), tooth) / tooth;
-  const double temperature = settings_.hottest * std::pow(settings_.coldest / settings_.hottest, phase);
-  return static_cast<int>(-temperature * std::log(1 - random_.unit())) + 1;
+  return static_cast<int>(-settings_.temperature * std::log(1 - random_.unit())) + 1;
 }
 
 // From the chosen face to the root: the first fold with an improving exchange wins, else the best on the way
@@ -162,27 +161,44 @@ void TabuSolver::climb() {
   climb_.bound = draw_bound();
   climb_.saw_tabu = climb_.saw_free = false;
   climb_.best = {};
-  for (std::size_t i = 0; i < climb_.path.size(); ++i) {
+  for (std::size_t i = 0; i < climb_.path.size() && !is_cancelled(); ++i) {
     try_fold(climb_.path[i], climb_.crossings[i]);
     if (climb_.best.is_found && climb_.best.delta < 0) return;
   }
 }
 
-// All exchanges that replace this fold: its near face re-attached on the far side (4.3) and, two-sided, its
-// far face re-attached on the near side.
+// Exchanges that replace this fold: its near face re-attached on the far side (4.3); two-sided, its far face
+// re-attached on the near side; and some that join the sides elsewhere along the cut between them.
 void TabuSolver::try_fold(const PathStep& step, int crossing) {
-  const SearchModel& m = *model_;
   const int up = state_.up(step.child);
-  const auto is_near = [&](int f) { return state_.in_subtree(f, step.child) == step.near_is_child; };
-  const int near_link = step.near_is_child ? up : m.twin[at(up)];
-  for (int h = m.face_begin[at(step.near)]; h < m.face_begin[at(step.near) + 1]; ++h)
-    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && !is_near(m.beyond(h)))
-      try_reattach(h, step, crossing, near_link);
-  if (!settings_.two_sided) return;
-  const int far_link = m.twin[at(near_link)];
-  for (int h = m.face_begin[at(step.far)]; h < m.face_begin[at(step.far) + 1]; ++h)
-    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && is_near(m.beyond(h)))
-      try_reattach(h, step, crossing, far_link);
+  const int near_link = step.near_is_child ? up : model_->twin[at(up)];
+  try_across(step.near, step, crossing, near_link);
+  if (settings_.two_sided) try_across(step.far, step, crossing, model_->twin[at(near_link)]);
+  if (settings_.sampled_faces > 0) try_sampled(step, crossing);
+}
+
+void TabuSolver::try_sampled(const PathStep& step, int crossing) {
+  const int first = state_.position(step.child);
+  const int n_inside = state_.end(step.child) - first;
+  const int n_outside = model_->n_faces - n_inside;
+  const bool is_inside = n_inside <= n_outside;
+  if (std::min(n_inside, n_outside) < 2) return;  // a single face has been tried
+  const int up = state_.up(step.child);
+  const int link = is_inside ? up : model_->twin[at(up)];
+  for (int k = 0; k < settings_.sampled_faces; ++k) {
+    const int i = random_.below(is_inside ? n_inside : n_outside);
+    const int position = is_inside ? first + i : (i < first ? i : i + n_inside);
+    try_across(state_.face_at(position), step, crossing, link);
+  }
+}
+
+// All cuts of this face that lead to the other side of the fold, tried as folds.
+void TabuSolver::try_across(int face, const PathStep& step, int crossing, int removed) {
+  const SearchModel& m = *model_;
+  const bool is_inside = state_.in_subtree(face, step.child);
+  for (int h = m.face_begin[at(face)]; h < m.face_begin[at(face) + 1]; ++h)
+    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && state_.in_subtree(m.beyond(h), step.child) != is_inside)
+      try_reattach(h, step, crossing, removed);
 }
 
 // Re-attaches the face of `halfedge` to the face beyond it. The exchange is told as a motion of the fold's
@@ -203,8 +219,8 @@ void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, 
   Exchange exchange;
   exchange.first = state_.position(step.child);
   exchange.last = state_.end(step.child);
-  exchange.motion = face == step.child ? there * state_.placement(face).inverse()
-                                       : state_.placement(face) * there.inverse();
+  exchange.motion = state_.in_subtree(face, step.child) ? there * state_.placement(face).inverse()
+                                                        : state_.placement(face) * there.inverse();
   exchange.removed = removed;
   exchange.inserted = halfedge;
   const int count = settings_.counts_as_paper

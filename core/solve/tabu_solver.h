@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/base/random.h"
 #include "core/solve/search_state.h"
 #include "core/solve/snapshot.h"
@@ -13,24 +14,34 @@
 namespace netwright {
 
 struct SearchSettings {
-  bool greedy_start = true;  ///< overlap-aware greedy tree; otherwise the paper's steepest edge (4.2)
-  bool two_sided = true;     ///< also re-attach the parent to the moved side: the same tree path, more moves
-  double random_root_share = 0.3;  ///< the paper roots at random (4.5); the rest roots at an overlap partner,
-                                   ///< so that the climb covers exactly the tree path that has to change
-  bool bounds_worsening = true;    ///< Metropolis bound on the best worsening move, drawn before the climb
-  bool uses_killers = true;    ///< ask the face that ruled an exchange out last time first; changes no answer
-  bool counts_bounded = true;  ///< stop counting once a candidate cannot win; changes no answer
-  bool counts_as_paper = false;  ///< count by the paper's log n rule (4.7) instead; changes no answer
-  double hottest = 16;           ///< sawtooth of the bound's temperature, in overlaps
-  double coldest = 0.8;
-  int period = 5;         ///< iterations per face of one tooth
-  int restart_after = 5;  ///< iterations per face without a new fewest before a new start tree
+  /// Overlap-aware greedy tree; otherwise the paper's steepest edge (4.2).
+  bool greedy_start = true;
+  /// Also re-attach the parent to the moved side: the same tree path, more moves.
+  bool two_sided = true;
+  /// Per fold also re-attach the smaller side at so many of its faces, drawn at random. The paper moves a side
+  /// by its one face on the path; these moves swing a large branch out of a crowd at once.
+  int sampled_faces = 2;
+  /// The paper roots at random (4.5). The rest roots at an overlap partner, so that the climb covers exactly
+  /// the tree path that has to change.
+  double random_root_share = 0.07;
+  /// Metropolis bound on the best worsening move, drawn before the climb; its temperature, in overlaps.
+  bool bounds_worsening = true;
+  double temperature = 12;
+  /// Ask the face that ruled an exchange out last time first; changes no answer.
+  bool uses_killers = true;
+  /// Stop counting once a candidate cannot win; changes no answer.
+  bool counts_bounded = true;
+  /// Count by the paper's log n rule (4.7) instead; changes no answer.
+  bool counts_as_paper = false;
+  /// Iterations per face without a new fewest before a new start tree.
+  int restart_after = 3;
 
   static SearchSettings fast() { return {}; }
   static SearchSettings paper() {
     SearchSettings s;
     s.greedy_start = false;
     s.two_sided = false;
+    s.sampled_faces = 0;
     s.random_root_share = 1;
     s.bounds_worsening = false;
     s.counts_bounded = false;
@@ -52,9 +63,11 @@ struct SearchEpisode {
 
 class TabuSolver {
  public:
-  /// `stream` tells searches of one seed apart. The dual graph and the model must outlive the solver.
+  /// `stream` tells searches of one seed apart. The dual graph, the model and `progress` (may be null) must
+  /// outlive the solver. Once `progress` is cancelled, a start tree or a climb under way is cut short; the
+  /// state stays a valid tree with all its overlaps.
   TabuSolver(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
-             std::uint64_t seed, std::uint64_t stream);
+             std::uint64_t seed, std::uint64_t stream, const Progress* progress = nullptr);
 
   /// One iteration: choose an overlapping face, climb, move (or find every way barred). Does nothing when
   /// solved.
@@ -94,6 +107,8 @@ class TabuSolver {
   void count_crossings();
   void climb();
   void try_fold(const PathStep& step, int crossing);
+  void try_sampled(const PathStep& step, int crossing);
+  void try_across(int face, const PathStep& step, int crossing, int removed);
   void try_reattach(int halfedge, const PathStep& step, int crossing, int removed);
   [[nodiscard]] int first_side_with(int face) const;
   [[nodiscard]] int face_behind_stuck();
@@ -103,11 +118,13 @@ class TabuSolver {
   void check_solved();
   void note_best();
   [[nodiscard]] int draw_bound();
+  [[nodiscard]] bool is_cancelled() const { return progress_ != nullptr && progress_->is_cancelled(); }
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   const DualGraph* dual_;
   const SearchModel* model_;
   SearchSettings settings_;
+  const Progress* progress_;
   Random random_;
   SearchState state_;
   Climb climb_;
@@ -122,7 +139,6 @@ class TabuSolver {
   int best_overlaps_ = 0;
   bool is_solved_ = false;
   std::int64_t iterations_ = 0;
-  std::int64_t episode_first_iteration_ = 0;
   std::int64_t last_gain_ = 0;  // iteration of the episode's last new fewest
   int episode_best_ = 0;
   std::int64_t moves_ = 0;
