@@ -18,8 +18,8 @@ struct SearchSettings {
   bool greedy_start = true;
   /// Also re-attach the parent to the moved side: the same tree path, more moves.
   bool two_sided = true;
-  /// Per fold also re-attach the smaller side at so many of its faces, drawn at random. The paper moves a side
-  /// by its one face on the path; these moves swing a large branch out of a crowd at once.
+  /// Per fold also re-attach the smaller side at so many of its faces, drawn at random. The paper moves a
+  /// side by its one face on the path; these moves swing a large branch out of a crowd at once.
   int sampled_faces = 2;
   /// The paper roots at random (4.5). The rest roots at an overlap partner, so that the climb covers exactly
   /// the tree path that has to change.
