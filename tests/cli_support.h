@@ -18,6 +18,7 @@
 
 #include "core/base/json.h"
 #include "core/mesh/shapes.h"
+#include "tests/support.h"
 
 extern char** environ;
 
@@ -82,10 +83,10 @@ class Child {
   bool is_running_ = false;
 };
 
-class CommandLine : public testing::Test {
+class CommandLine : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::temp_directory_path() /
               ("netwright_cli_" + std::to_string(getpid()) + "_" + info->name());
     std::filesystem::create_directories(folder_);
@@ -104,7 +105,7 @@ class CommandLine : public testing::Test {
     return write(name, shapes::to_obj(soup));
   }
   /// Far too large to be unfolded while a test waits.
-  [[nodiscard]] std::string endless_model() const { return write("endless.obj", shapes::torus(100, 100)); }
+  [[nodiscard]] std::string endless_model() const { return write("endless.obj", testing::endless_search()); }
   [[nodiscard]] Ended run(const std::vector<std::string>& arguments) const {
     return Child(folder_, arguments).wait();
   }

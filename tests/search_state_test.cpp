@@ -42,19 +42,21 @@ std::vector<std::pair<int, int>> sorted(std::vector<std::pair<int, int>> pairs) 
   return pairs;
 }
 
-// A random exchange: some face with a cut to the far side of the fold above it is re-attached there.
+// A random exchange: a cut becomes a fold, and some fold on the way between its faces becomes a cut.
 bool random_exchange(SearchState& state, Random& random, Exchange& exchange) {
   const SearchModel& m = state.model();
   for (int tries = 0; tries < 200; ++tries) {
     const int h = random.below(m.n_halfedges);
-    const int x = m.face_of[at(h)];
-    if (m.twin[at(h)] < 0 || state.is_fold(h) || state.up(x) < 0) continue;
-    const int g = state.position(m.beyond(h));
-    if (g >= state.position(x) && g < state.end(x)) continue;
     const int t = m.twin[at(h)];
-    exchange = {state.position(x), state.end(x),
-                state.placement(m.face_of[at(t)]) * m.unroll[at(t)] * state.placement(x).inverse(),
-                state.up(x), h};
+    if (t < 0 || state.is_fold(h)) continue;
+    const int x = m.face_of[at(h)];
+    const int beyond = m.beyond(h);
+    int top = x;  // of the side that moves: x or a face above it that is not above both
+    while (state.up(top) >= 0 && random.below(3) > 0 && !state.in_subtree(beyond, m.beyond(state.up(top))))
+      top = m.beyond(state.up(top));
+    if (state.in_subtree(beyond, top)) continue;
+    exchange = {state.position(top), state.end(top),
+                state.placement(beyond) * m.unroll[at(t)] * state.placement(x).inverse(), state.up(top), h};
     return true;
   }
   return false;
@@ -78,8 +80,22 @@ TEST(SearchState, StoredOverlapsEqualFullDetectionAfterAnyMoves) {
   }
 }
 
+// So many faces that boxes of blocks have boxes of their own.
+TEST(SearchState, StoredOverlapsEqualFullDetectionOnAModelOfManyBlocks) {
+  const auto dual = make_dual(shapes::torus(40, 20));
+  const SearchModel model = search_models(*dual).front();
+  Random random(7);
+  SearchState state(model, kSolveDepth);
+  state.set_tree(steepest_edge_folds(*dual, model, random));
+  Exchange exchange;
+  for (int k = 0; k < 100 && random_exchange(state, random, exchange); ++k) {
+    state.apply(exchange);
+    ASSERT_EQ(sorted(state.pairs()), plain_overlaps(dual, model, state)) << "move " << k;
+  }
+}
+
 TEST(SearchState, CountsAMoveAsItTurnsOut) {
-  const auto dual = make_dual(shapes::icosphere(4));
+  const auto dual = make_dual(shapes::icosphere(6));
   const SearchModel model = search_models(*dual).front();
   Random random(2);
   SearchState state(model, kSolveDepth);
@@ -207,6 +223,20 @@ TEST(SearchState, PathsLeadFoldByFoldFromFaceToFace) {
       f = step.far;
     }
     EXPECT_EQ(f, to);
+  }
+}
+
+TEST(StartTree, IsATreeAlsoWhenItIsCancelled) {
+  Progress cancelled;
+  cancelled.cancel();
+  for (const auto& shape : zoo()) {
+    const auto dual = make_dual(shape.soup);
+    for (const SearchModel& model : search_models(*dual)) {
+      Random random(9);
+      SearchState state(model, kSolveDepth);
+      state.set_tree(greedy_folds(model, random, kSolveDepth, &cancelled));
+      expect_sound_preorder(state);
+    }
   }
 }
 

@@ -22,7 +22,7 @@ constexpr double kAMoveInTenSeconds = 0.1;
 std::string bumpy() { return shapes::to_obj(shapes::bumpy_patch(6, 6)); }
 std::string ball() { return shapes::to_obj(shapes::icosphere(4)); }
 /// A search that goes on until it is told to end.
-std::string endless() { return shapes::to_obj(testing::long_search()); }
+std::string endless() { return shapes::to_obj(testing::endless_search()); }
 
 class SessionTest : public ::testing::Test {
  protected:

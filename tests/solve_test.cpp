@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <thread>
 
 #include "core/base/predicates.h"
 #include "core/base/random.h"
@@ -32,9 +34,9 @@ TEST(Solve, EveryShapeOfTheZooBecomesAProvedNetOfOnePiecePerComponent) {
   }
 }
 
-// A prism or pyramid over a random outline seen from its middle: large concave faces, narrow notches,
-// slivers. Some of these have no net in one piece at all.
-PolygonSoup random_polyhedron(Random& random) {
+// A prism over a random outline seen from its middle: large concave faces, narrow notches, slivers. Some of
+// these have no net in one piece at all.
+PolygonSoup random_prism(Random& random) {
   std::vector<glm::dvec2> outline;
   const int n = 4 + random.below(12);
   for (int i = 0; i < n; ++i) {
@@ -45,14 +47,41 @@ PolygonSoup random_polyhedron(Random& random) {
   return shapes::prism(outline, 0.1 + 2 * random.unit());
 }
 
-TEST(Solve, RandomPolyhedraEndAsAProvedNetOrHonestlyWithout) {
+// A projective map keeps every face flat but changes all lengths and angles: n-gons of every kind, concave
+// ones, holes and borders, none of them regular any more.
+PolygonSoup distorted(PolygonSoup soup, Random& random) {
+  const auto signed_unit = [&] { return 2 * random.unit() - 1; };
+  const glm::dvec3 stretch(0.5 + random.unit(), 0.5 + random.unit(), 0.5 + random.unit());
+  const double shear = signed_unit();
+  const glm::dvec3 towards(signed_unit(), signed_unit(), signed_unit());
+  double farthest = 0;
+  for (const glm::dvec3& p : soup.points) farthest = std::max(farthest, glm::length(p));
+  for (glm::dvec3& p : soup.points) {
+    const glm::dvec3 q = stretch * glm::dvec3(p.x + shear * p.y, p.y, p.z);
+    p = q / (1 + 0.3 * glm::dot(towards, p) / farthest);
+  }
+  return soup;
+}
+
+TEST(Solve, DistortedShapesOfTheZooAreProvedNetsToo) {
+  Random random(22);
+  for (const auto& shape : zoo()) {
+    SolveOptions options;
+    options.max_iterations = 20'000;
+    const SolveResult result = solve_with(distorted(shape.soup, random), options);
+    EXPECT_TRUE(result.is_proved) << shape.soup.name;
+    EXPECT_TRUE(verify(to_flat_net(result.net, 1), shape.n_components).is_net) << shape.soup.name;
+  }
+}
+
+TEST(Solve, RandomPrismsEndAsAProvedNetOrHonestlyWithout) {
   Random random(21);
   int n_proved = 0;
   for (int k = 0; k < 60; ++k) {
     SolveOptions options;
     options.seed = static_cast<std::uint64_t>(k);
     options.max_iterations = 400;
-    const SolveResult result = solve_with(random_polyhedron(random), options);
+    const SolveResult result = solve_with(random_prism(random), options);
     EXPECT_TRUE(result.net.tree.is_forest(result.net.mesh()));
     EXPECT_EQ(result.is_proved, verify(to_flat_net(result.net, 1)).is_net) << k;
     if (!result.is_proved) {
@@ -228,6 +257,25 @@ TEST(Solve, ACancelledJobReturnsAtOnceWithTheStart) {
   const SolveResult result = solve(make_dual(shapes::torus(30, 20)), {}, progress);
   EXPECT_TRUE(result.net.tree.is_forest(result.net.mesh()));
   EXPECT_EQ(result.was_cancelled, !result.is_proved);
+}
+
+TEST(Solve, CancellingTheStartLeavesAValidNet) {
+  const auto dual = make_dual(shapes::torus(60, 40));
+  for (const SearchStyle style : {SearchStyle::Fast, SearchStyle::Paper}) {
+    for (const int microseconds : {100, 1000, 5000, 20000}) {
+      Progress progress;
+      std::jthread impatient([&] {
+        std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+        progress.cancel();
+      });
+      SolveOptions options;
+      options.search = style;
+      const SolveResult result = solve(dual, options, progress);
+      EXPECT_TRUE(result.net.tree.is_forest(result.net.mesh()));
+      EXPECT_EQ(result.overlaps, find_overlaps(result.net, kShownDepth));
+      EXPECT_EQ(result.is_proved, result.overlaps.empty());
+    }
+  }
 }
 
 TEST(Solve, StepLimitEndsTheSearchWithTheBestSoFar) {

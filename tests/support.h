@@ -2,6 +2,8 @@
 // shape to a Mesh or DualGraph.
 #pragma once
 
+#include <array>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -67,14 +69,41 @@ inline std::vector<ZooShape> zoo() {
   return all;
 }
 
-/// Nearly flat terrain, full of saddles that each want two cuts: the hardest there is for its size. A search
-/// for its net takes many seconds, so it can be watched, paused and stopped at leisure.
-inline PolygonSoup long_search() {
-  PolygonSoup soup = shapes::bumpy_patch(36, 36);
-  Random random(1);
-  for (glm::dvec3& p : soup.points) p.y = 0.05 * random.unit();
+/// Every triangle with a hat on it: a raised brim and a tall spike, nine triangles. A hat has no unfolding
+/// unless cuts lead from one of its three corners to another, and on a closed shape the cuts of one piece
+/// cannot do that for all: there is no net (Bern, Demaine, Eppstein, Kuo, Mantler, Snoeyink, "Ununfoldable
+/// Polyhedra with Convex Faces", 2003).
+inline PolygonSoup with_hats(const PolygonSoup& triangles) {
+  PolygonSoup soup;
+  soup.name = "hats";
+  soup.points = triangles.points;
+  for (int f = 0; f < triangles.n_faces(); ++f) {
+    std::array<int, 3> corner{};
+    std::array<glm::dvec3, 3> p{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      corner[i] = triangles.face(f)[i];
+      p[i] = triangles.points[static_cast<std::size_t>(corner[i])];
+    }
+    const glm::dvec3 up = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0])) * glm::distance(p[0], p[1]);
+    const glm::dvec3 centre = (p[0] + p[1] + p[2]) / 3.0;
+    const int brim = static_cast<int>(soup.points.size());
+    for (const glm::dvec3& corner_point : p) soup.points.push_back((corner_point + centre) / 2.0 + 0.17 * up);
+    const int tip = static_cast<int>(soup.points.size());
+    soup.points.push_back(centre + 1.15 * up);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const int from = corner[static_cast<std::size_t>(i)];
+      const int to = corner[static_cast<std::size_t>(j)];
+      soup.add_face(std::vector<int>{from, to, brim + j});
+      soup.add_face(std::vector<int>{from, brim + j, brim + i});
+      soup.add_face(std::vector<int>{brim + i, brim + j, tip});
+    }
+  }
   return soup;
 }
+
+/// A search that never ends, so it can be watched, paused and stopped at leisure.
+inline PolygonSoup endless_search() { return with_hats(shapes::icosphere(4)); }
 
 /// The shape turned inside out.
 inline PolygonSoup inside_out(const PolygonSoup& soup) {

@@ -138,6 +138,20 @@ TEST(TabuSolver, RestartsWhenNothingImprovesAndNeverClaimsTheImpossible) {
   }
 }
 
+TEST(TabuSolver, NeverClaimsANetOfAModelWithHats) {
+  for (const PolygonSoup& base : {shapes::tetrahedron(), shapes::octahedron(), shapes::icosahedron()}) {
+    const auto dual = make_dual(testing::with_hats(base));
+    const SearchModel model = search_models(*dual).front();
+    for (const SearchSettings& settings : {SearchSettings::fast(), SearchSettings::paper()})
+      for (std::uint64_t seed = 0; seed < 2; ++seed) {
+        TabuSolver solver(*dual, model, settings, seed, 0);
+        for (int k = 0; k < 2000; ++k) solver.step();
+        EXPECT_FALSE(solver.is_solved()) << base.name;
+        EXPECT_GE(solver.best_overlaps(), 1) << base.name;
+      }
+  }
+}
+
 TEST(TabuSolver, ASingleFaceNeedsNoSearch) {
   PolygonSoup soup;
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

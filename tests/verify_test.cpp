@@ -352,10 +352,10 @@ TEST(Verify, AcceptsANetInWhichTheWholeModelRunsInwards) {
   expect_net(net);
 }
 
-TEST(Verify, AcceptsAFaceThatOnlyTheFileTurnedRound) {
+TEST(Verify, RejectsAFaceListedTheOtherWayRound) {
   FlatNet net = cross_net(box(1, 2, 3));
   std::reverse(net.faces[4].begin(), net.faces[4].end());
-  expect_net(net);
+  expect_fault(net, "Face 5 lists its corners the other way round");
 }
 
 TEST(Verify, RejectsEmptyNetsAndBrokenLists) {

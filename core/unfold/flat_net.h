@@ -23,14 +23,14 @@ struct FlatNet {
   std::string title;
   std::vector<glm::dvec2> points;       ///< in the plane, mm at print scale
   std::vector<glm::dvec3> folded;       ///< the same vertices on the model, model units
-  std::vector<std::vector<int>> faces;  ///< in the order and with the corner order of the model's file
+  std::vector<std::vector<int>> faces;  ///< in the order of the model's file
   std::vector<int> face_source;         ///< index of the model's face, one per face
   std::vector<Edge> edges;              ///< folds once; cut edges once per side, as Boundary
 };
 
 /// Faces joined by a fold share the fold's two vertices exactly; cut edges get vertices of their own on
-/// either side. `scale` is mm per model unit. Faces that the repair turned round are written as the file had
-/// them.
+/// either side. `scale` is mm per model unit. All faces are listed the same way round: as the file has them
+/// where the whole file runs inwards, else counter-clockwise.
 FlatNet to_flat_net(const Net& net, double scale);
 
 /// The model's total: how a FlatNet's mean edge is measured (all sides of all faces), in mm.

@@ -134,6 +134,19 @@ void connect(Subject& s) {
   components.numbered(s.n_components);
 }
 
+// Corners listed clockwise among counter-clockwise ones: programs that trust the lists would cut that face
+// out wrong side up.
+void check_listing(const Subject& s, Faults& faults) {
+  std::vector<int> left;
+  std::vector<int> right;
+  for (std::size_t f = 0; f < s.turn.size(); ++f)
+    (s.turn[f] > 0 ? left : right).push_back(static_cast<int>(f));
+  const std::vector<int>& fewer = right.size() <= left.size() ? right : left;
+  if (!fewer.empty())
+    faults.push_back(about_faces(s.net, fewer, "lists its", "list their") +
+                     " corners the other way round than the rest of the net.");
+}
+
 void check_orientation(const Subject& s, Faults& faults) {
   const std::vector<std::vector<Neighbour>> neighbours = model_neighbours(s);
   std::vector<int> direction(s.net.faces.size(), 0);
@@ -156,6 +169,8 @@ void check_orientation(const Subject& s, Faults& faults) {
   } else if (!mirrored.empty()) {
     std::sort(mirrored.begin(), mirrored.end());
     faults.push_back(about_faces(s.net, mirrored, "is", "are") + " mirrored against the rest of the net.");
+  } else {
+    check_listing(s, faults);
   }
 }
 
