@@ -1,0 +1,57 @@
+// How far two surfaces lie apart: a tree of boxes over triangles that finds the nearest point of a surface,
+// and the Hausdorff distance made with it.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/soup.h"
+
+namespace netwright {
+
+/// The point of triangle a b c nearest to p.
+glm::dvec3 nearest_in_triangle(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& p);
+
+/// Triangles in a tree of boxes. Polygons are cut into triangles (flat ones lose nothing by it).
+class SurfaceTree {
+ public:
+  using Triangle = std::array<glm::dvec3, 3>;
+
+  explicit SurfaceTree(std::vector<Triangle> triangles);
+  explicit SurfaceTree(const Mesh& mesh);
+  explicit SurfaceTree(const PolygonSoup& soup);
+
+  struct Hit {
+    int triangle = -1;
+    double distance = 0;
+  };
+  /// The nearest triangle. `guess`, when it names one, is where the search begins and makes it faster.
+  [[nodiscard]] Hit nearest(const glm::dvec3& p, int guess = -1) const;
+
+  [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  [[nodiscard]] const Box3& box() const { return nodes_.front().box; }
+
+ private:
+  struct Node {
+    Box3 box;
+    int begin = 0;  ///< triangles of a leaf; of an inner node `end` is 0 and `begin` its first child
+    int end = 0;
+  };
+  void build(std::size_t node, int begin, int end, std::vector<int>& order);
+
+  std::vector<Triangle> triangles_;
+  std::vector<Node> nodes_;
+};
+
+/// The largest distance that a point of `a` has from the surface `b`. Never too small, too large by at most
+/// 2 % or 1e-4 of a's diagonal, whichever is more, as long as `max_splits` bisections suffice.
+double distance_from(const SurfaceTree& a, const SurfaceTree& b, int max_splits = 200000);
+
+/// The larger one of both directions: no point of either surface is further than this from the other.
+double hausdorff_distance(const SurfaceTree& a, const SurfaceTree& b);
+
+}  // namespace netwright
