@@ -39,6 +39,22 @@ inline constexpr double kDegenerateHeight = 1e-9;
 /// programs rounded a corner twice, and no detail this small can be cut out.
 inline constexpr double kWeldDistance = 1e-7;
 
+/// Neighbouring faces bent by no more than this (radians, a tenth of a degree) may become one: over a hand's
+/// breadth of paper it is a sixth of a millimetre, and more than what six written decimals tilt all but
+/// slivers.
+inline constexpr double kMergeAngle = 0.0017453292519943296;
+
+/// Points of one plane that were rounded to floats may be off it by this share of the model's diagonal, and
+/// slivers between them tilted by any angle. Applies at kMergeAngle and shrinks with the tolerance.
+inline constexpr double kMergeRounding = 1e-7;
+
+/// What double arithmetic leaves of exact coplanarity, as a share of the model's diagonal.
+inline constexpr double kSamePlane = 1e-12;
+
+/// Texture coordinates (the picture is 1 wide) nearer than this are the same: a quarter of a pixel of a
+/// picture a thousand pixels wide.
+inline constexpr double kSameUv = 2.5e-4;
+
 /// Two faces cut through each other in space when they do so by more than this share of the larger one's
 /// size. Shallower contact is what six written decimals leave between faces that touch, and far below a
 /// sheet's thickness.
