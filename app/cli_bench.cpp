@@ -1,5 +1,5 @@
-// netwright-cli bench: every model with every seed, one after the other on one worker, so that no run pays
-// for a new thread; each run leaves a row, and the rows of a folder come to one line of figures.
+// netwright-cli bench: every model with every seed, one after the other on the same threads, so that no run
+// pays for new ones; each run leaves a row, and the rows of a folder come to one line of figures.
 #include <unistd.h>
 
 #include <algorithm>
@@ -166,11 +166,14 @@ class Bench {
     options.streams = command_.streams;
     options.threads = command_.threads;
     options.search = command_.search;
+    if (!pool_) pool_ = std::make_unique<ThreadPool>(n_threads(options));
+    SolveHooks hooks;
+    hooks.pool = pool_.get();
     const auto limit = command_.time_limit_s > 0 ? std::optional(command_.time_limit_s) : std::nullopt;
     try {
       const Watched watched = watch(line, limit, [&](Progress& progress) {
         const double start = now_seconds();
-        const SolveResult result = solve(model.dual, options, progress);
+        const SolveResult result = solve(model.dual, options, progress, hooks);
         row.wall_seconds = now_seconds() - start;
         enter(result, row);
       });
@@ -236,6 +239,7 @@ class Bench {
   std::unique_ptr<BenchLog> log_ = std::make_unique<BenchLog>();
   Interrupts interrupts_;  // before the worker, whose threads have to hold Ctrl-C back as well
   Worker worker_;
+  std::unique_ptr<ThreadPool> pool_;  // made with the first run
 };
 
 }  // namespace

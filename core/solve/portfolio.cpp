@@ -3,6 +3,7 @@
 #include "core/solve/portfolio.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 #include "core/base/cpu_time.h"
@@ -11,7 +12,7 @@ namespace netwright {
 
 namespace {
 
-constexpr std::int64_t kFirstRound = 32;
+constexpr std::int64_t kFirstRound = 256;
 
 }  // namespace
 
@@ -35,10 +36,20 @@ Portfolio::Portfolio(const DualGraph& dual, const SearchModel& model, const Sear
 void Portfolio::advance(std::int64_t max_iterations) {
   mark_ += std::clamp<std::int64_t>(mark_, kFirstRound, longest_round_);
   if (max_iterations > 0) mark_ = std::min(mark_, max_iterations);
+  // Once a stream is solved, the others can win only by being solved at fewer iterations: no need to go on to
+  // the mark. Which of them was told in time changes nothing about the winner.
+  std::atomic<std::int64_t> end = mark_;
   pool_->run(n_streams(), [&](int k) {
     const double before = thread_cpu_seconds();
     TabuSolver& solver = *streams_[static_cast<std::size_t>(k)];
-    while (!solver.is_solved() && solver.iterations() < mark_ && !progress_->is_cancelled()) solver.step();
+    while (!solver.is_solved() && solver.iterations() < end.load(std::memory_order_relaxed) &&
+           !progress_->is_cancelled())
+      solver.step();
+    if (solver.is_solved()) {
+      std::int64_t known = end.load();
+      while (solver.iterations() < known && !end.compare_exchange_weak(known, solver.iterations())) {
+      }
+    }
     cpu_seconds_[static_cast<std::size_t>(k)] += thread_cpu_seconds() - before;
   });
   find_winner();

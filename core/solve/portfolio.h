@@ -19,8 +19,8 @@ class Portfolio {
             std::uint64_t seed, int n_streams, std::uint64_t first_stream, ThreadPool& pool,
             const Progress& progress);
 
-  /// Takes every stream to the next mark (or until it is solved, cancelled or at max_iterations, 0 = no
-  /// limit).
+  /// Takes every stream to the next mark, or until it is solved, cannot win any more, is cancelled, or is at
+  /// max_iterations (0 = no limit).
   void advance(std::int64_t max_iterations);
 
   [[nodiscard]] bool is_solved() const { return winner_ >= 0; }

@@ -17,11 +17,6 @@ namespace {
 // use different arithmetic, and a contact may sit between their tolerances.
 constexpr int kAttempts = 3;
 
-int n_threads(const SolveOptions& options) {
-  const int wanted = options.threads > 0 ? options.threads : ThreadPool::hardware_threads();
-  return std::clamp(wanted, 1, std::max(1, options.streams));
-}
-
 SearchSettings settings(const SolveOptions& options) {
   return options.search == SearchStyle::Paper ? SearchSettings::paper() : SearchSettings::fast();
 }
@@ -35,7 +30,8 @@ class SolveJob {
         progress_(progress),
         hooks_(hooks),
         models_(search_models(*dual_)),
-        pool_(n_threads(options)),
+        own_pool_(hooks.pool == nullptr ? std::make_unique<ThreadPool>(n_threads(options)) : nullptr),
+        pool_(hooks.pool == nullptr ? *own_pool_ : *hooks.pool),
         whole_(dual_, options.root) {}
 
   SolveResult run() {
@@ -119,13 +115,19 @@ class SolveJob {
   Progress& progress_;
   const SolveHooks& hooks_;
   std::vector<SearchModel> models_;
-  ThreadPool pool_;
+  std::unique_ptr<ThreadPool> own_pool_;
+  ThreadPool& pool_;
   WholeTree whole_;
   std::vector<std::unique_ptr<Portfolio>> portfolios_;
   SolveResult result_;
 };
 
 }  // namespace
+
+int n_threads(const SolveOptions& options) {
+  const int wanted = options.threads > 0 ? options.threads : ThreadPool::hardware_threads();
+  return std::clamp(wanted, 1, std::max(1, options.streams));
+}
 
 SolveResult solve(std::shared_ptr<const DualGraph> dual, const SolveOptions& options, Progress& progress,
                   const SolveHooks& hooks) {

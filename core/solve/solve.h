@@ -11,6 +11,7 @@
 
 #include "core/base/mailbox.h"
 #include "core/base/progress.h"
+#include "core/base/worker.h"
 #include "core/solve/snapshot.h"
 #include "core/unfold/verify.h"
 
@@ -44,7 +45,13 @@ struct SolveHooks {
   /// Called before each move is shown, on the solver's thread; blocks while paused or until the next move is
   /// due. The search itself stays ahead by at most one round, so pausing never changes the answer.
   std::function<Pace()> pace;
+  /// Threads kept between jobs, used instead of new ones; then `threads` of the options is not asked.
+  /// Starting a thread can cost more than a small model's whole search.
+  ThreadPool* pool = nullptr;
 };
+
+/// How many threads these options ask for: at most one per stream.
+int n_threads(const SolveOptions& options);
 
 struct SolveResult {
   Net net;  ///< the best found; a proved net when is_proved
