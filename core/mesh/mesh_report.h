@@ -1,7 +1,10 @@
 // What is wrong with or noteworthy about a model, as a value that window, command line and tests print alike.
 #pragma once
 
+#include <array>
+#include <glm/vec3.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace netwright {
@@ -10,10 +13,36 @@ class Mesh;
 struct PolygonSoup;
 
 struct MeshReport {
+  /// What a line is about. Windows hang their buttons on it; topic_name() is its name in JSON.
+  enum class Topic {
+    Counts,  ///< faces and corners
+    Shape,   ///< closed or open, genus
+    Parts,
+    Borders,  ///< loops and their length
+    Size,
+    DoubledPoints,  ///< points that lie where another one is
+    IsolatedPoints,
+    BrokenFaces,  ///< a corner twice, or fewer than three
+    ZeroAreaFaces,
+    DoubledFaces,
+    NonManifoldEdges,
+    NonManifoldPoints,
+    TurnedFaces,  ///< run against their neighbours or face inward
+    OneSided,     ///< no orientation exists (Möbius strip, Klein bottle)
+    UnevenFaces,
+    SelfIntersections,
+    MissingTextures,
+    Other,  ///< whatever the reader had to say, and why there is no mesh
+  };
   struct Line {
     enum class Kind { Fact, Notice, Problem };  ///< a Problem keeps the model from being unfolded
     Kind kind = Kind::Fact;
     std::string text;  ///< a whole sentence or "370 faces"
+    Topic topic = Topic::Other;
+    int count = 0;                            ///< of what the topic counts
+    std::vector<int> faces{};                 ///< culprits: faces of the soup, worst or first ones first
+    std::vector<int> points{};                ///< culprits: points of the soup
+    std::vector<std::array<int, 2>> edges{};  ///< culprits: edges as two points of the soup
   };
   std::vector<Line> lines;
   int n_faces = 0;
@@ -27,14 +56,36 @@ struct MeshReport {
   int n_uneven_faces = 0;        ///< not flat (kFlatness)
   double worst_unevenness = 0;   ///< share of the face's size
   int n_self_intersections = 0;  ///< pairs of faces that cut through each other in space
+  double border_length = 0;      ///< model units
+  glm::dvec3 size{0};            ///< of the box around all faces, model units
   [[nodiscard]] bool is_fit() const { return is_manifold && n_uneven_faces == 0; }
+  /// The line about a topic; null when there is nothing to say.
+  [[nodiscard]] const Line* find(MeshReport::Topic topic) const;
+  /// How many of the topic's culprits there are; 0 without such a line.
+  [[nodiscard]] int count(MeshReport::Topic topic) const;
 };
+
+/// "non_manifold_edges"
+std::string_view topic_name(MeshReport::Topic topic);
 
 /// A share as people read it: 0.034 is "3.4 %".
 std::string percent(double share);
 
+/// What one unit of a file probably is, in mm: what its format prescribes (STL and 3MF mm, glTF m), else what
+/// makes the model's longest side between 2 cm and 2 m.
+struct UnitGuess {
+  std::string_view name;  ///< "mm", "cm" or "m"
+  double in_mm = 1;
+};
+UnitGuess guess_unit(const PolygonSoup& soup);
+
+/// Everything about a soup, also a broken one, with its points joined as weld() does on opening. Takes about
+/// n log n time; the search for faces that cut through each other stops at a fixed amount of work and says
+/// so. Counts of a model that is no manifold (genus, borders) are those of its manifold edges.
+MeshReport report_on(const PolygonSoup& soup);
+
 /// Facts about a mesh (counts, components, genus, borders) and what is noteworthy: uneven faces, faces that
-/// cut through each other.
+/// cut through each other. Culprits are faces of the file (face_source).
 MeshReport report_on(const Mesh& mesh);
 
 /// The counts that a soup without a mesh still has, and why there is no mesh.

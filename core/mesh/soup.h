@@ -27,9 +27,10 @@ struct PolygonSoup {
   std::string name;  ///< file name without folder, for messages and titles
   UpAxis up_axis = UpAxis::Y;
   std::vector<glm::dvec3> points;
-  std::vector<int> face_begin{0};     ///< face f has corners face_begin[f] … face_begin[f+1]-1
-  std::vector<int> corners;           ///< index into points, one per corner
-  bool is_indexed = true;             ///< false: faces came with points of their own (STL, glTF)
+  std::vector<int> face_begin{0};  ///< face f has corners face_begin[f] … face_begin[f+1]-1
+  std::vector<int> corners;        ///< index into points, one per corner
+  bool is_indexed = true;          ///< false: faces came with points of their own (STL, glTF)
+  bool is_joined = false;  ///< points at one place are apart on purpose (after a repair): never weld again
   std::vector<glm::dvec2> corner_uv;  ///< empty, or one per corner; (0, 0) is the picture's lower left
   std::vector<int> face_material;     ///< empty, or one per face: index into materials or -1
   std::vector<Material> materials;
