@@ -51,10 +51,10 @@ class Simplifier {
   /// lives, else a neighbour. Carries pins along.
   [[nodiscard]] std::vector<int> heirs_at(int n_faces) const;
 
-  /// The Hausdorff distance between the mesh and soup_at(n_faces), in model units: no point of either
-  /// surface is further than this from the other one. Found by bisecting triangles with certain bounds, so
-  /// it is never too small, and too large by at most 2 % or 1e-4 of the model's diagonal, whichever is more
-  /// (by more only for surfaces so contorted that the number of bisections runs out).
+  /// The Hausdorff distance between the mesh and soup_at(n_faces), in model units: how far the point of
+  /// either surface that is furthest from the other one lies from it. Triangles are bisected with certain
+  /// bounds until no point can be further away than this by more than 2 % or kDeviationTolerance of the
+  /// model's diagonal, whichever is more; so it is no guess from samples.
   [[nodiscard]] double deviation_at(int n_faces) const;
 
   [[nodiscard]] const std::shared_ptr<const Mesh>& mesh() const { return mesh_; }
