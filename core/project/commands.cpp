@@ -12,6 +12,22 @@ Project new_project(const Project& before, std::filesystem::path path,
   return project;
 }
 
+Project remake(Project project, const Recipe& recipe, std::shared_ptr<const MadeModel> made) {
+  FaceId root;
+  if (project.pinned_root.is_valid()) {
+    const int source = project.dual->mesh().face_source(project.pinned_root);
+    for (const FaceId f : made->dual->mesh().faces())
+      if (made->dual->mesh().face_source(f) == source && !root.is_valid()) root = f;
+  }
+  project.recipe = recipe;
+  project.dual = made->dual;
+  project.made = std::move(made);
+  project.pinned_root = root;
+  project.tree = nullptr;
+  project.run.reset();
+  return project;
+}
+
 Project pin_root(Project project, FaceId face) {
   project.pinned_root = face;
   if (!face.is_valid() || !project.tree || project.tree->is_root(face)) return project;

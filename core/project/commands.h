@@ -9,6 +9,10 @@ namespace netwright {
 /// A fresh project of this model. What belongs to the user's desk and not to the model, the paper, stays.
 Project new_project(const Project& before, std::filesystem::path path, std::shared_ptr<const DualGraph> dual);
 
+/// The same file made into another mesh by another recipe. The net of the old mesh goes; the pinned root
+/// stays where its face of the file still has a face.
+Project remake(Project project, const Recipe& recipe, std::shared_ptr<const MadeModel> made);
+
 /// Layout and tree start at `face`, and runs keep it; an invalid face removes the pin. An accepted tree is
 /// rerooted: it stays the same net.
 Project pin_root(Project project, FaceId face);

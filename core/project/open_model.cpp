@@ -5,7 +5,6 @@
 #include <new>
 
 #include "core/base/error.h"
-#include "core/mesh/repair.h"
 
 namespace netwright {
 
@@ -13,20 +12,20 @@ OpenedModel open_model(const ModelSource& source, Progress& progress) {
   const bool is_file = !source.path.empty();
   const std::string name = is_file ? source.path.filename().string() : source.name;
   progress.set_phase("Reading " + name);
-  const PolygonSoup soup =
-      is_file ? read_soup(source.path) : read_soup_bytes(source.name, source.bytes, source.companions);
   OpenedModel model;
   model.path = source.path;
-  model.notices = soup.notices;
-
-  progress.set_phase("Checking " + name);
-  PreparedModel prepared = prepare(soup);
-  if (!prepared.is_fit()) throw Error(ErrorKind::Unfit, prepared.refusal);
-  for (const MeshReport::Line& line : prepared.report.lines)
+  model.source = std::make_shared<const PolygonSoup>(
+      is_file ? read_soup(source.path) : read_soup_bytes(source.name, source.bytes, source.companions));
+  model.notices = model.source->notices;
+  model.made = make_model(model.source, {}, nullptr, progress);
+  if (!model.made.dual && !progress.is_cancelled()) {
+    auto repaired = std::make_shared<MadeModel>(make_model(model.source, kRepairing, nullptr, progress));
+    if (!repaired->dual) throw Error(ErrorKind::Unfit, repaired->refusal);
+    model.repaired = std::move(repaired);
+    return model;
+  }
+  for (const MeshReport::Line& line : model.made.report.lines)
     if (line.kind == MeshReport::Line::Kind::Notice) model.notices.push_back(line.text);
-
-  model.dual = std::make_shared<const DualGraph>(prepared.mesh);
-  model.report = std::move(prepared.report);
   return model;
 }
 

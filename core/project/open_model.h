@@ -11,6 +11,7 @@
 #include "core/mesh/dual_graph.h"
 #include "core/mesh/mesh_report.h"
 #include "core/mesh/read.h"
+#include "core/project/make_model.h"
 
 namespace netwright {
 
@@ -24,12 +25,17 @@ struct ModelSource {
 
 struct OpenedModel {
   std::filesystem::path path;
-  std::shared_ptr<const DualGraph> dual;
-  MeshReport report;
-  std::vector<std::string> notices;  ///< whole sentences
+  std::shared_ptr<const PolygonSoup> source;
+  MadeModel made;                             ///< as the file is, nothing repaired; may be unfit
+  std::shared_ptr<const MadeModel> repaired;  ///< where that is unfit and repairing helps, else null
+  std::vector<std::string> notices;           ///< whole sentences
 };
 
-/// Throws Error with one sentence when the model cannot be read or cannot be unfolded as it is.
+/// The recipe of OpenedModel::repaired.
+inline constexpr Recipe kRepairing{.repairs = true, .uneven = UnevenFaces::Split};
+
+/// Throws Error with one sentence when the model cannot be read, or cannot be unfolded and not be repaired
+/// either.
 OpenedModel open_model(const ModelSource& source, Progress& progress);
 
 /// The sentence for whatever exception is being handled; `task` says what failed: "Opening bunny.obj".

@@ -10,6 +10,7 @@
 
 #include "core/base/paper.h"
 #include "core/mesh/dual_graph.h"
+#include "core/project/make_model.h"
 #include "core/sheet/pages.h"
 #include "core/unfold/unfold_tree.h"
 
@@ -27,9 +28,12 @@ struct RunSummary {
 };
 
 struct Project {
-  std::filesystem::path path;              ///< the model's file; empty for a bundled sample
-  std::shared_ptr<const DualGraph> dual;   ///< model and dual graph; null in an empty project
-  std::shared_ptr<const UnfoldTree> tree;  ///< the accepted tree, null before the first run
+  std::filesystem::path path;                 ///< the model's file; empty for a bundled sample
+  std::shared_ptr<const PolygonSoup> source;  ///< what the file held
+  Recipe recipe;                              ///< what was done to it,
+  std::shared_ptr<const MadeModel> made;      ///< and what came out
+  std::shared_ptr<const DualGraph> dual;      ///< of made: model and dual graph; null in an empty project
+  std::shared_ptr<const UnfoldTree> tree;     ///< the accepted tree, null before the first run
   std::optional<RunSummary> run;
   FaceId pinned_root;
   std::uint64_t seed = 0;

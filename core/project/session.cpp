@@ -53,8 +53,10 @@ void Session::Impl::move_in_history(void (History::*move)()) {
     return;
   }
   const std::shared_ptr<const UnfoldTree> tree = project().tree;
+  const std::shared_ptr<const DualGraph> dual = project().dual;
   (history.*move)();
-  if (project().tree != tree) drop_result();
+  if (project().dual != dual) derived = nullptr;
+  if (project().tree != tree || project().dual != dual) drop_result();
   derive_again();
 }
 
@@ -87,19 +89,6 @@ double Session::wait_seconds() const {
   return std::numeric_limits<double>::infinity();
 }
 
-void Session::open(const std::filesystem::path& path) { impl_->open({path, {}, {}, {}}); }
-
-void Session::open_bytes(const std::string& name, std::string bytes, CompanionLookup companions) {
-  impl_->open({{}, name, std::move(bytes), std::move(companions)});
-}
-
-void Session::cancel_opening() {
-  if (impl_->opening) impl_->opening->progress->cancel();
-  impl_->opening = nullptr;
-}
-
-const MeshReport* Session::report() const { return has_model() ? &impl_->report : nullptr; }
-
 RunState Session::state() const {
   if (impl_->run) return impl_->run->is_paused() ? RunState::Paused : RunState::Running;
   if (impl_->playing) return RunState::Replaying;
@@ -120,6 +109,7 @@ RunFigures Session::figures() const {
 
 std::shared_ptr<const Progress> Session::chore() const {
   if (impl_->opening) return impl_->opening->progress;
+  if (impl_->chore_making) return impl_->chore_making->progress;
   return impl_->exports.empty() ? nullptr : impl_->exports.front()->progress;
 }
 

@@ -63,6 +63,33 @@ class Session {
   /// Gives up reading a file; the present model stays.
   void cancel_opening();
   [[nodiscard]] bool has_model() const { return project().dual != nullptr; }
+
+  /// A file that was read but cannot be unfolded as it is, until the user has decided about it. Nothing is
+  /// repaired without being asked.
+  struct Pending {
+    std::string name;
+    MeshReport report;                 ///< of the file
+    std::string refusal;               ///< why it cannot be unfolded, one sentence
+    std::vector<std::string> repairs;  ///< what repairing would do, whole sentences
+    int n_faces_repaired = 0;
+    bool can_flatten = false;  ///< uneven faces may be flattened instead of split
+  };
+  [[nodiscard]] const Pending* pending() const;  ///< null when there is none
+  void repair_pending();                         ///< opens it repaired, uneven faces split into triangles
+  void flatten_pending();                        ///< opens it repaired, uneven faces flattened; a chore
+  void drop_pending();
+
+  // How the mesh is made of the file; each change is one undo step with a name, made as a chore on the
+  // worker. A net of the old mesh goes, a running search starts again on the new one.
+  [[nodiscard]] const Recipe& recipe() const { return project().recipe; }
+  void set_recipe(const Recipe& recipe, const std::string& label);  ///< label as in "Undo <label>"
+  /// The simplify slider: at most so many faces, 0 = all. While `is_dragging`, every new mesh is unfolded at
+  /// once, and the whole drag is one undo step.
+  void simplify_to(int faces, bool is_dragging);
+  /// Faces before simplifying, 0 without a model.
+  [[nodiscard]] int n_faces_before_simplifying() const;
+  /// How far simplifying moved the surface at most, in mm of the guessed unit.
+  [[nodiscard]] double deviation_mm() const;
   [[nodiscard]] const MeshReport* report() const;
 
   [[nodiscard]] RunState state() const;

@@ -32,6 +32,22 @@ struct Session::Impl {
     std::optional<OpenedModel> model;
     std::string fault;
   };
+  struct Made {
+    std::shared_ptr<const MadeModel> model;
+    std::string fault;
+  };
+  /// What the mesh is being made anew for.
+  struct Making {
+    Recipe recipe;
+    std::string label;
+    bool unfolds = false;         ///< start a search on the new mesh
+    bool continues_step = false;  ///< same gesture: no undo step of its own
+  };
+  /// A file waiting for the user's word.
+  struct Waiting {
+    Pending shown;
+    OpenedModel model;
+  };
   /// A replay being shown, and since when.
   struct Playing {
     Replay replay;
@@ -45,6 +61,7 @@ struct Session::Impl {
   // Taking in what the worker finished (session_poll.cpp); each tells whether anything changed.
   bool poll();
   bool take_opened();
+  bool take_made();
   bool take_derived();
   bool take_exports();
   bool take_run();
@@ -58,6 +75,8 @@ struct Session::Impl {
 
   // Chores.
   void open(ModelSource source);
+  void adopt(const OpenedModel& model, const Recipe& recipe, std::shared_ptr<const MadeModel> made);
+  void make(Making wanted);
   void derive_again();  ///< after every change of the project
   void export_to(const std::filesystem::path& path);
 
@@ -77,7 +96,6 @@ struct Session::Impl {
   Clock clock;
   std::shared_ptr<Bell> bell = std::make_shared<Bell>();
   History history;
-  MeshReport report;
 
   std::unique_ptr<SearchRun> run;
   bool is_timed_out = false;
@@ -90,6 +108,10 @@ struct Session::Impl {
   std::shared_ptr<const Derived> derived;
 
   std::shared_ptr<Chore<Opened>> opening;
+  std::optional<Waiting> waiting;
+  std::shared_ptr<Chore<Made>> chore_making;
+  Making making;
+  bool is_dragging = false;  ///< the simplify slider is held
   std::shared_ptr<Chore<Derived>> deriving;
   std::vector<std::shared_ptr<Chore<Message>>> exports;
 

@@ -85,41 +85,6 @@ void take_history(const std::vector<Episode>& log, RunFigures& figures) {
 
 }  // namespace
 
-void Session::Impl::open(ModelSource source) {
-  if (opening) opening->progress->cancel();
-  opening = std::make_shared<Chore<Opened>>(bell);
-  opening->progress =
-      worker.submit(Worker::Lane::Chores, [chore = opening, model = std::move(source)](Progress& progress) {
-        auto opened = std::make_shared<Opened>();
-        if (progress.is_cancelled()) return;
-        try {
-          opened->model = open_model(model, progress);
-        } catch (...) {
-          opened->fault = sentence_for_current_exception("Opening the model");
-        }
-        chore->result.post(std::move(opened));
-      });
-}
-
-bool Session::Impl::take_opened() {
-  const std::shared_ptr<const Opened> opened = opening ? opening->result.take() : nullptr;
-  if (!opened) return false;
-  opening = nullptr;
-  if (!opened->model) {
-    say(Message::Kind::Error, opened->fault);
-    return true;
-  }
-  discard_run();
-  playing.reset();
-  history = History(new_project(project(), opened->model->path, opened->model->dual));
-  report = opened->model->report;
-  derived = nullptr;
-  drop_result();
-  derive_again();
-  for (const std::string& notice : opened->model->notices) say(Message::Kind::Notice, notice);
-  return true;
-}
-
 void Session::Impl::derive_again() {
   if (deriving) deriving->progress->cancel();
   deriving = nullptr;
@@ -330,6 +295,7 @@ RunFigures Session::Impl::settled_figures() const {
 bool Session::Impl::poll() {
   const std::size_t n_told = messages.size();
   bool has_changed = take_opened();
+  has_changed |= take_made();
   has_changed |= take_derived();
   has_changed |= take_exports();
   has_changed |= show_replay();

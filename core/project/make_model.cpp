@@ -1,0 +1,140 @@
+// The recipe, step by step: repair, uneven faces, simplify, merge. Merging comes last because simplifying
+// cuts polygons up again.
+#include "core/project/make_model.h"
+
+#include "core/mesh/merge_faces.h"
+#include "core/mesh/planarize.h"
+#include "core/mesh/repair.h"
+#include "core/mesh/split_faces.h"
+
+namespace netwright {
+
+namespace {
+
+std::vector<bool> flips_of(const Mesh& mesh) {
+  std::vector<bool> flips;
+  for (const FaceId f : mesh.faces()) flips.push_back(mesh.is_flipped(f));
+  return flips;
+}
+
+std::vector<int> sources_of(const Mesh& mesh) {
+  std::vector<int> sources;
+  for (const FaceId f : mesh.faces()) sources.push_back(mesh.face_source(f));
+  return sources;
+}
+
+class Maker {
+ public:
+  Maker(std::shared_ptr<const PolygonSoup> source, const Recipe& recipe, Progress& progress)
+      : source_(std::move(source)), recipe_(recipe), progress_(progress) {}
+
+  MadeModel make(const std::shared_ptr<const ModelStages>& before) {
+    const bool fits = before && before->source == source_ && before->recipe.repairs == recipe_.repairs &&
+                      before->recipe.uneven == recipe_.uneven;
+    if (fits) {
+      stages_ = *before;
+    } else {
+      prepare_base();
+    }
+    model_.done = stages_.done;
+    if (stages_.mesh && model_.refusal.empty()) finish();
+    model_.was_cancelled = progress_.is_cancelled();
+    model_.stages = std::make_shared<const ModelStages>(std::move(stages_));
+    return std::move(model_);
+  }
+
+ private:
+  void prepare_base() {
+    stages_.source = source_;
+    stages_.recipe = recipe_;
+    PreparedModel prepared;
+    if (recipe_.repairs) {
+      progress_.set_phase("Repairing " + source_->name);
+      RepairOptions options;
+      options.splits_uneven_faces = recipe_.uneven != UnevenFaces::Flatten;
+      RepairResult repaired = repair_all(*source_, options, progress_);
+      stages_.done = std::move(repaired.done);
+      prepared = std::move(repaired.prepared);
+      if (!prepared.is_fit()) prepared.refusal = repaired.verdict;
+    } else {
+      progress_.set_phase("Checking " + source_->name);
+      prepared = prepare(*source_);
+    }
+    model_.report = prepared.report;
+    model_.refusal = prepared.refusal;
+    stages_.mesh = prepared.mesh;
+    if (prepared.mesh && prepared.report.n_uneven_faces > 0) treat_uneven(prepared.refusal);
+    if (!model_.refusal.empty()) stages_.mesh = nullptr;
+  }
+
+  void treat_uneven(const std::string& refusal) {
+    const Mesh& mesh = *stages_.mesh;
+    if (recipe_.uneven == UnevenFaces::Split) {
+      const SplitFaces split = split_uneven_faces(mesh);
+      stages_.mesh = std::make_shared<const Mesh>(split.soup, split.is_flipped, split.face_source);
+      stages_.done.push_back("Split " + std::to_string(split.n_split) +
+                             (split.n_split == 1 ? " uneven face" : " uneven faces") + " into triangles.");
+      model_.refusal.clear();
+    } else if (recipe_.uneven == UnevenFaces::Flatten) {
+      progress_.set_phase("Flattening the faces of " + source_->name);
+      const PlanarizeResult flat = planarize(mesh, {}, progress_);
+      if (flat.has_converged) {
+        stages_.mesh = std::make_shared<const Mesh>(flat.soup, flips_of(mesh), sources_of(mesh));
+        stages_.done.push_back(flat.sentence);
+        model_.refusal.clear();
+      } else {
+        model_.refusal = flat.sentence;
+      }
+    } else {
+      model_.refusal = refusal;
+    }
+  }
+
+  void finish() {
+    std::shared_ptr<const Mesh> mesh = stages_.mesh;
+    if (recipe_.faces > 0) mesh = simplified();
+    if (recipe_.merges && !progress_.is_cancelled()) {
+      progress_.set_phase("Merging faces of one plane");
+      MergedFaces merged = merge_coplanar_faces(*mesh);
+      mesh = std::make_shared<const Mesh>(merged.soup, merged.is_flipped, merged.face_source);
+      for (std::string& sentence : merged.sentences) model_.done.push_back(std::move(sentence));
+    }
+    model_.report = report_on(*mesh);
+    model_.dual = std::make_shared<const DualGraph>(std::move(mesh));
+  }
+
+  std::shared_ptr<const Mesh> simplified() {
+    if (!stages_.simplifier) {
+      progress_.set_phase("Simplifying " + source_->name);
+      stages_.simplifier = std::make_shared<const Simplifier>(stages_.mesh, SimplifyOptions{}, progress_);
+      if (progress_.is_cancelled()) stages_.simplifier = nullptr;  // only a part of its history
+      if (!stages_.simplifier) return stages_.mesh;
+    }
+    const Simplifier& simplifier = *stages_.simplifier;
+    model_.n_faces_least = simplifier.n_faces_min();
+    const int n_before = static_cast<int>(stages_.mesh->n_faces());
+    if (recipe_.faces >= n_before) return stages_.mesh;
+    std::vector<int> sources = simplifier.sources_at(recipe_.faces);
+    for (int& source : sources) source = stages_.mesh->face_source(FaceId(source));
+    auto mesh = std::make_shared<const Mesh>(simplifier.soup_at(recipe_.faces), std::vector<bool>(), sources);
+    model_.deviation = simplifier.deviation_at(recipe_.faces);
+    model_.done.push_back("Simplified from " + std::to_string(n_before) + " to " +
+                          std::to_string(mesh->n_faces()) + " faces.");
+    return mesh;
+  }
+
+  std::shared_ptr<const PolygonSoup> source_;
+  Recipe recipe_;
+  Progress& progress_;
+  ModelStages stages_;
+  MadeModel model_;
+};
+
+}  // namespace
+
+MadeModel make_model(const std::shared_ptr<const PolygonSoup>& source, const Recipe& recipe,
+                     const std::shared_ptr<const ModelStages>& before, Progress& progress) {
+  return Maker(source, recipe, progress).make(before);
+}
+
+}  // namespace netwright

@@ -1,0 +1,179 @@
+// The session's models: opening a file, asking what to do about a broken one, and making the mesh anew when
+// the recipe changes.
+#include <cmath>
+
+#include "core/mesh/mesh_report.h"
+#include "core/project/commands.h"
+#include "core/project/session_impl.h"
+
+namespace netwright {
+
+void Session::Impl::open(ModelSource source) {
+  if (opening) opening->progress->cancel();
+  opening = std::make_shared<Chore<Opened>>(bell);
+  opening->progress =
+      worker.submit(Worker::Lane::Chores, [chore = opening, model = std::move(source)](Progress& progress) {
+        auto opened = std::make_shared<Opened>();
+        if (progress.is_cancelled()) return;
+        try {
+          opened->model = open_model(model, progress);
+        } catch (...) {
+          opened->fault = sentence_for_current_exception("Opening the model");
+        }
+        if (!progress.is_cancelled()) chore->result.post(std::move(opened));
+      });
+}
+
+bool Session::Impl::take_opened() {
+  const std::shared_ptr<const Opened> opened = opening ? opening->result.take() : nullptr;
+  if (!opened) return false;
+  opening = nullptr;
+  waiting.reset();
+  if (!opened->model) {
+    say(Message::Kind::Error, opened->fault);
+    return true;
+  }
+  const OpenedModel& model = *opened->model;
+  if (model.made.dual) {
+    adopt(model, {}, std::make_shared<const MadeModel>(model.made));
+    return true;
+  }
+  waiting.emplace(Waiting{{}, model});
+  Pending& shown = waiting->shown;
+  shown.name = model.source->name;
+  shown.report = report_on(*model.source);
+  shown.refusal = model.made.refusal;
+  shown.repairs = model.repaired->done;
+  shown.n_faces_repaired = static_cast<int>(model.repaired->dual->mesh().n_faces());
+  shown.can_flatten = model.made.report.n_uneven_faces > 0;
+  return true;
+}
+
+// A model takes the place of the present one, with a history of its own.
+void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
+                          std::shared_ptr<const MadeModel> made) {
+  if (chore_making) chore_making->progress->cancel();
+  chore_making = nullptr;
+  discard_run();
+  playing.reset();
+  Project next = new_project(project(), model.path, made->dual);
+  next.source = model.source;
+  next.recipe = recipe;
+  next.made = made;
+  history = History(std::move(next));
+  derived = nullptr;
+  drop_result();
+  derive_again();
+  for (const std::string& notice : model.notices) say(Message::Kind::Notice, notice);
+  for (const std::string& sentence : made->done) say(Message::Kind::Notice, sentence);
+}
+
+void Session::Impl::make(Making wanted) {
+  if (chore_making) chore_making->progress->cancel();
+  making = std::move(wanted);
+  chore_making = std::make_shared<Chore<Made>>(bell);
+  chore_making->progress =
+      worker.submit(Worker::Lane::Chores, [chore = chore_making, recipe = making.recipe,
+                                           source = waiting ? waiting->model.source : project().source,
+                                           before = waiting ? nullptr : project().made](Progress& progress) {
+        auto made = std::make_shared<Made>();
+        try {
+          made->model = std::make_shared<const MadeModel>(
+              make_model(source, recipe, before ? before->stages : nullptr, progress));
+        } catch (...) {
+          made->fault = sentence_for_current_exception("Changing the model");
+        }
+        if (!progress.is_cancelled()) chore->result.post(std::move(made));
+      });
+}
+
+bool Session::Impl::take_made() {
+  const std::shared_ptr<const Made> made = chore_making ? chore_making->result.take() : nullptr;
+  if (!made) return false;
+  chore_making = nullptr;
+  if (!made->model || !made->model->dual) {
+    say(Message::Kind::Error, made->model ? made->model->refusal : made->fault);
+    return true;
+  }
+  if (waiting) {
+    const OpenedModel model = std::move(waiting->model);
+    waiting.reset();
+    adopt(model, making.recipe, made->model);
+    return true;
+  }
+  const bool was_running = run != nullptr;
+  end_replay();
+  discard_run();
+  Project next = remake(project(), making.recipe, made->model);
+  if (making.continues_step) {
+    history.amend(std::move(next));
+  } else {
+    history.push(making.label, std::move(next));
+    making.continues_step = true;
+  }
+  derived = nullptr;
+  drop_result();
+  derive_again();
+  if (making.unfolds || was_running) start_run(SearchRun::Start::Running);
+  return true;
+}
+
+void Session::open(const std::filesystem::path& path) { impl_->open({path, {}, {}, {}}); }
+
+void Session::open_bytes(const std::string& name, std::string bytes, CompanionLookup companions) {
+  impl_->open({{}, name, std::move(bytes), std::move(companions)});
+}
+
+void Session::cancel_opening() {
+  if (impl_->opening) impl_->opening->progress->cancel();
+  if (impl_->chore_making) impl_->chore_making->progress->cancel();
+  impl_->opening = nullptr;
+  impl_->chore_making = nullptr;
+}
+
+const MeshReport* Session::report() const { return has_model() ? &project().made->report : nullptr; }
+
+const Session::Pending* Session::pending() const { return impl_->waiting ? &impl_->waiting->shown : nullptr; }
+
+void Session::repair_pending() {
+  if (!impl_->waiting) return;
+  const OpenedModel model = std::move(impl_->waiting->model);
+  impl_->waiting.reset();
+  impl_->adopt(model, kRepairing, model.repaired);
+}
+
+void Session::flatten_pending() {
+  if (!impl_->waiting) return;
+  impl_->make({{.repairs = true, .uneven = UnevenFaces::Flatten}, "", false, false});
+}
+
+void Session::drop_pending() {
+  if (impl_->waiting) cancel_opening();
+  impl_->waiting.reset();
+}
+
+void Session::set_recipe(const Recipe& recipe, const std::string& label) {
+  if (!has_model() || recipe == project().recipe) return;
+  impl_->make({recipe, label, false, false});
+}
+
+void Session::simplify_to(int faces, bool is_dragging) {
+  if (!has_model()) return;
+  Recipe recipe = project().recipe;
+  const bool is_same_gesture = std::exchange(impl_->is_dragging, is_dragging);
+  const int wanted = impl_->chore_making ? impl_->making.recipe.faces : recipe.faces;
+  if (faces == wanted) return;
+  recipe.faces = faces;
+  const bool continues = is_same_gesture && impl_->making.continues_step;
+  impl_->make({recipe, "simplify", true, continues});
+}
+
+int Session::n_faces_before_simplifying() const {
+  return has_model() ? static_cast<int>(project().made->stages->mesh->n_faces()) : 0;
+}
+
+double Session::deviation_mm() const {
+  return has_model() ? project().made->deviation * guess_unit(*project().source).in_mm : 0;
+}
+
+}  // namespace netwright
