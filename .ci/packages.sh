@@ -2,7 +2,7 @@
 
 build_packages=(
   g++ cmake ninja-build pkg-config python3-glad
-  libglfw3-dev libimgui-dev libglm-dev libgl-dev libegl-dev
+  libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libgl-dev libegl-dev
   libtinyobjloader-dev libtinygltf-dev libassimp-dev libstb-dev
   libcairo2-dev libfreetype-dev libcli11-dev nlohmann-json3-dev
   libgl1 libgl1-mesa-dri libegl1 libegl-mesa0)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/mesh/mesh.h"
@@ -25,11 +26,12 @@ struct PlanarizeResult {
   PolygonSoup soup;
   bool has_converged = false;
   bool was_cancelled = false;
-  int iterations = 0;
+  int iterations = 0;                 ///< sparse systems solved
+  std::vector<double> flow_energies;  ///< of the start and after each step of the flow, in mean edges squared
   double unevenness_before = 0;  ///< the worst face's, as Mesh::unevenness has it: share of the face's size
   double unevenness_after = 0;
   double largest_move = 0;     ///< of any corner, in model units
-  double hausdorff = 0;        ///< between the surfaces before and after, both ways, in model units (sampled)
+  double hausdorff = 0;        ///< between the surfaces before and after, both ways, in model units
   double moved_share = 0;      ///< largest_move as a share of the model's size
   double hausdorff_share = 0;  ///< hausdorff as a share of the model's size
   /// What happened, for people: how flat, how far moved; and when not converged, why and what to do instead.

@@ -9,15 +9,18 @@
 namespace netwright {
 
 struct SplitFaces {
-  PolygonSoup soup;              ///< with the mesh's points, name, up axis, uv and materials
-  std::vector<int> face_source;  ///< per face of the soup: the file's face (Mesh::face_source) it is part of
-  std::vector<bool> is_flipped;  ///< per face of the soup: does it run against the file's (Mesh::is_flipped)
-  int n_split = 0;               ///< faces that were split
+  PolygonSoup soup;                ///< with the mesh's points, name, up axis, uv and materials
+  std::vector<FaceId> split_from;  ///< per face of the soup: the face of the mesh that it is part of
+  /// What the constructor takes: Mesh(soup, is_flipped, face_source). Faces are counted anew, not as in the
+  /// file, since a proof wants every face of a model exactly once.
+  std::vector<bool> is_flipped;
+  std::vector<int> face_source;
+  int n_split = 0;  ///< faces of the mesh that were split
 };
 
 /// Splits faces that are not flat (unevenness over kFlatness) into triangles; the others keep their corners.
-/// Parts of a face follow each other in the face's place. Mesh(soup, is_flipped, face_source) accepts the
-/// result. A four-cornered face is split along the diagonal that bends less.
+/// Parts of a face follow each other in the face's place. A four-cornered face is split along the diagonal
+/// that bends less.
 SplitFaces split_uneven_faces(const Mesh& mesh);
 
 }  // namespace netwright
