@@ -17,8 +17,8 @@
 namespace netwright::simplify {
 namespace {
 
-// Each face also pulls a little towards its own middle. That decides where a point goes that its planes leave
-// free, and spreads the points of flat regions evenly. A slope of a hundredth outweighs it.
+// What it costs, besides the error, that a point stands for faces far away from it. It spreads the points of
+// flat regions evenly and is outweighed by the slightest slope.
 constexpr double kSpread = 1e-5;
 
 // Planes that stand on borders and kept edges, per squared length of the edge, against area for faces.
@@ -109,6 +109,7 @@ class Collapser {
   glm::dvec3 centre_{0};
   double scale_ = 1;
   IdVector<VertexId, Quadric> quadric_;
+  IdVector<VertexId, Spread> spread_;
   IdVector<VertexId, int> n_kept_edges_;  ///< kept edges that end at the point
   IdVector<HalfedgeId, char> is_kept_;
   IdVector<HalfedgeId, int> version_;
@@ -162,14 +163,18 @@ void Collapser::add_standing_plane(HalfedgeId h, double weight) {
 
 void Collapser::add_quadrics() {
   quadric_.assign(s_.position.size(), Quadric());
+  spread_.assign(s_.position.size(), Spread());
   for (const FaceId f : s_.faces()) {
     const auto p = s_.corners(f);
     const glm::dvec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double twice_area = glm::length(n);
     if (!(twice_area > 0)) continue;
-    Quadric q = Quadric::plane(n / twice_area, p[0], twice_area / 2);
-    q += Quadric::point((p[0] + p[1] + p[2]) / 3.0, kSpread * twice_area / 2);
-    for (const HalfedgeId h : s_.halfedges(f)) quadric_[s_.from[h]] += q;
+    const Quadric q = Quadric::plane(n / twice_area, p[0], twice_area / 2);
+    const Spread spread = Spread::point((p[0] + p[1] + p[2]) / 3.0, twice_area / 2);
+    for (const HalfedgeId h : s_.halfedges(f)) {
+      quadric_[s_.from[h]] += q;
+      spread_[s_.from[h]] += spread;
+    }
   }
   for (const HalfedgeId h : s_.from.ids()) {
     if (!s_.twin[h].is_valid())
@@ -221,7 +226,8 @@ bool Collapser::find_place(HalfedgeId h, glm::dvec3& place) const {
   q += quadric_[b];
   const glm::dvec3 middle = (pa + pb) / 2.0;
   const double reach = 2 * glm::distance(pa, pb);
-  if (q.minimise(place) && glm::distance(place, middle) <= reach) return true;
+  place = q.minimise(middle);
+  if (glm::distance(place, middle) <= reach) return true;
   place = middle;
   for (const glm::dvec3& end : {pa, pb})
     if (q(end) < q(place)) place = end;
@@ -234,7 +240,12 @@ Collapser::Plan Collapser::plan(HalfedgeId h) const {
   if (!result.is_allowed) return result;
   Quadric q = quadric_[s_.from[h]];
   q += quadric_[s_.to(h)];
-  result.cost = std::max(0.0, q(result.position));
+  Spread spread = spread_[s_.from[h]];
+  spread += spread_[s_.to(h)];
+  const double error = std::max(0.0, q(result.position)) + kSpread * std::max(0.0, spread(result.position));
+  // Between the sum of the errors, which lets small features go early, and their mean, which forgets how much
+  // surface there is.
+  result.cost = spread.weight > 0 ? error / std::sqrt(spread.weight) : 0;
   return result;
 }
 
@@ -400,6 +411,7 @@ void Collapser::collapse(HalfedgeId h, const glm::dvec3& place) {
   }
   n_kept_edges_[a] += n_kept_edges_[b] - (is_kept_[h] != 0 ? 2 : 0);
   quadric_[a] += quadric_[b];
+  spread_[a] += spread_[b];
   s_.position[a] = place;
   s_.collapse(h);
   crossing_.update(s_, a, n_live_triangles_);

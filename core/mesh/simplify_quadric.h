@@ -2,7 +2,6 @@
 // simplify*.cpp include it.
 #pragma once
 
-#include <array>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -21,11 +20,6 @@ struct Quadric {
     return {n.x * normal.x, n.x * normal.y, n.x * normal.z, n.y * normal.y,
             n.y * normal.z, n.z * normal.z, n * d,          weight * d * d};
   }
-  /// weight · (squared distance from the point p).
-  static Quadric point(const glm::dvec3& p, double weight) {
-    return {weight, 0, 0, weight, 0, weight, -weight * p, weight * glm::dot(p, p)};
-  }
-
   Quadric& operator+=(const Quadric& q) {
     xx += q.xx;
     xy += q.xy;
@@ -43,17 +37,25 @@ struct Quadric {
   }
   [[nodiscard]] double operator()(const glm::dvec3& p) const { return glm::dot(p, times(p) + 2.0 * b) + c; }
 
-  /// The point of least error; false when the planes leave it undecided (A is singular, or nearly).
-  [[nodiscard]] bool minimise(glm::dvec3& best) const {
-    const glm::dvec3 r0(xx, xy, xz);
-    const glm::dvec3 r1(xy, yy, yz);
-    const glm::dvec3 r2(xz, yz, zz);
-    const glm::dvec3 c12 = glm::cross(r1, r2);
-    const double determinant = glm::dot(r0, c12);
-    const double trace = xx + yy + zz;
-    if (!(determinant > 1e-14 * trace * trace * trace)) return false;
-    best = -(c12 * b.x + glm::cross(r2, r0) * b.y + glm::cross(r0, r1) * b.z) / determinant;
-    return true;
+  /// The point of least error; of all that the planes leave open, or nearly, the one nearest to `start`.
+  [[nodiscard]] glm::dvec3 minimise(const glm::dvec3& start) const;
+};
+
+/// A sum of squared distances from points.
+struct Spread {
+  double weight = 0;
+  glm::dvec3 moment{0};
+  double square = 0;
+
+  static Spread point(const glm::dvec3& p, double w) { return {w, w * p, w * glm::dot(p, p)}; }
+  Spread& operator+=(const Spread& o) {
+    weight += o.weight;
+    moment += o.moment;
+    square += o.square;
+    return *this;
+  }
+  [[nodiscard]] double operator()(const glm::dvec3& p) const {
+    return weight * glm::dot(p, p) - 2 * glm::dot(p, moment) + square;
   }
 };
 

@@ -23,8 +23,9 @@ std::vector<Side> sorted_sides(const TriangleSurface& s) {
   std::vector<Side> sides;
   sides.reserve(s.from.size());
   for (const HalfedgeId h : s.from.ids()) {
-    const auto [low, high] = std::minmax(s.from[h].value, s.to(h).value);
-    sides.push_back({low, high, h.value});
+    const int a = s.from[h].value;
+    const int b = s.to(h).value;
+    sides.push_back({std::min(a, b), std::max(a, b), h.value});
   }
   std::ranges::sort(sides);
   return sides;
