@@ -276,6 +276,31 @@ TEST(Planarize, TurnsNoFaceOver) {
   }
 }
 
+/// Narrow strips between wide ones, with corners lifted by more than the strips are wide.
+PolygonSoup rumpled_strips() {
+  PolygonSoup soup = shapes::grid_patch(7, 7);
+  Random random(5);
+  for (glm::dvec3& point : soup.points) {
+    point.x = std::round(point.x * 0.5) * 2 + 0.08 * (std::fmod(std::round(std::abs(point.x)), 2.0));
+    point.y += 0.25 * random.unit();
+  }
+  return soup;
+}
+
+TEST(Planarize, DoesNotTurnShortSidesRound) {
+  const auto before = make_mesh(rumpled_strips());
+  const PlanarizeResult result = flatten(rumpled_strips());
+  ASSERT_TRUE(result.has_converged) << result.sentence;
+  const Mesh after(result.soup);
+  EXPECT_LE(worst_unevenness(after), 1e-6);
+  for (const FaceId f : after.faces()) {
+    EXPECT_GT(glm::dot(before->normal(f), after.normal(f)), 0);
+    std::vector<glm::dvec3> corners;
+    for (const HalfedgeId h : after.halfedges(f)) corners.push_back(after.position(h));
+    EXPECT_TRUE(is_simple(frame_of(corners).flat)) << "face " << f.value;
+  }
+}
+
 TEST(Planarize, WorksAtBorders) {
   PolygonSoup open = shapes::grid_patch(6, 5);
   Random random(3);

@@ -16,17 +16,18 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/polygon2.h"
 #include "core/mesh/deviation.h"
 #include "core/mesh/mesh_report.h"
+#include "core/mesh/planar_model.h"
 #include "core/mesh/polygon_laplacian.h"
 
 namespace netwright {
 namespace {
 
+using planarize_parts::PlanarModel;
+using planarize_parts::Points;
 using Sparse = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
-using Points = std::vector<glm::dvec3>;
 
 constexpr double kFirstStep = 0.5;      // of the flow, in mean edges squared
 constexpr double kStepGrowth = 1.2;     // while the energy falls
@@ -37,75 +38,32 @@ constexpr double kNear = 1e-3;          // unevenness from which on the finish t
 constexpr int kFinishSteps = 25;        // the finish needs four to seven, where it gets there at all
 constexpr double kFirstWeight = 10;     // of heights against moves, in the finish
 constexpr double kLargestWeight = 1e8;  // beyond it rounding eats what is gained
+constexpr double kStiffer = 8;          // of a face that folded over, for the next round
 constexpr int kRounds = 12;             // of seeking a smaller move
+constexpr int kPatience = 4;            // rounds without a smaller move before giving up on one
+constexpr double kNoticed = 0.02;       // share of the size: a larger move is explained
 constexpr double kNobodySees = 0.005;   // share of the size: a smaller move is not worth seeking
 
-struct Model {
-  const Mesh& mesh;
-  std::vector<std::vector<std::size_t>> faces;
-  Points start;  // in mean edges, about the box's centre
-  double unit = 1;
-  double size = 1;
-  std::vector<char> was_simple;  // per face: did its projection's sides not cross
-
-  [[nodiscard]] std::vector<glm::dvec3> corners(std::size_t f, const Points& points) const {
-    std::vector<glm::dvec3> corners;
-    for (const std::size_t v : faces[f]) corners.push_back(points[v]);
-    return corners;
-  }
-  [[nodiscard]] PolygonFrame frame(std::size_t f, const Points& points) const {
-    return frame_of(corners(f, points));
-  }
+/// How much moves cost: per corner point its own move, per face its strain.
+struct Weights {
+  explicit Weights(const PlanarModel& model)
+      : mass(model.start.size(), 1.0), stiffness(model.faces.size(), kStiffness) {}
+  std::vector<double> mass;
+  std::vector<double> stiffness;
 };
-
-Model model_of(const Mesh& mesh) {
-  Model model{.mesh = mesh, .faces = {}, .start = {}, .was_simple = {}};
-  model.unit = mesh.mean_edge();
-  model.size = mesh.box().diagonal() / model.unit;
-  for (const VertexId v : mesh.vertices()) {
-    model.start.push_back((mesh.position(v) - mesh.box().centre()) / model.unit);
-  }
-  for (const FaceId f : mesh.faces()) {
-    auto& face = model.faces.emplace_back();
-    for (const HalfedgeId h : mesh.halfedges(f)) face.push_back(mesh.from(h).index());
-    model.was_simple.push_back(is_simple(model.frame(f.index(), model.start).flat) ? 1 : 0);
-  }
-  return model;
-}
-
-double energy(const Model& model, const Points& points) {
-  double sum = 0;
-  for (std::size_t f = 0; f < model.faces.size(); ++f) {
-    if (model.faces[f].size() == 3) continue;
-    const auto corners = model.corners(f, points);
-    const CornerMatrix matrix = completion(frame_of(corners));
-    const std::size_t n = corners.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      glm::dvec3 off(0);  // a row of C Cᵀ E: its squares add up without cancelling
-      for (std::size_t j = 0; j < n; ++j) off += matrix(i, j) * (corners[(j + 1) % n] - corners[j]);
-      sum += 0.5 * glm::dot(off, off);
-    }
-  }
-  return sum;
-}
-
-double largest_move(const Points& from, const Points& to) {
-  double largest = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) largest = std::max(largest, glm::distance(from[i], to[i]));
-  return largest;
-}
 
 /// What a move costs: its length at each corner, and how much it strains the faces. Corners that are close
 /// together move together, or short sides would turn round before long ones are flat.
-Sparse cost_of_moves(const Model& model, const std::vector<double>& mass) {
-  const auto n = static_cast<Eigen::Index>(mass.size());
+Sparse cost_of_moves(const PlanarModel& model, const Weights& weights) {
+  const auto n = static_cast<Eigen::Index>(weights.mass.size());
   Triplets entries;
-  for (Eigen::Index v = 0; v < n; ++v) entries.emplace_back(v, v, mass[static_cast<std::size_t>(v)]);
-  for (const auto& face : model.faces) {
+  for (Eigen::Index v = 0; v < n; ++v) entries.emplace_back(v, v, weights.mass[static_cast<std::size_t>(v)]);
+  for (std::size_t f = 0; f < model.faces.size(); ++f) {
+    const auto& face = model.faces[f];
     for (std::size_t i = 0; i < face.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const glm::dvec3 arm = model.start[face[i]] - model.start[face[j]];
-        const double stiffness = kStiffness / std::max(glm::dot(arm, arm), kShortest * kShortest);
+        const double stiffness = weights.stiffness[f] / std::max(glm::dot(arm, arm), kShortest * kShortest);
         entries.emplace_back(face[i], face[i], stiffness);
         entries.emplace_back(face[j], face[j], stiffness);
         entries.emplace_back(face[i], face[j], -stiffness);
@@ -119,7 +77,7 @@ Sparse cost_of_moves(const Model& model, const std::vector<double>& mass) {
 }
 
 /// One implicit step with the projections frozen: (M + t L) x' = M x, for the three coordinates at once.
-bool flow_step(const Model& model, const Sparse& cost, double step, Points& points) {
+bool flow_step(const PlanarModel& model, const Sparse& cost, double step, Points& points) {
   const auto n = static_cast<Eigen::Index>(points.size());
   Triplets entries;
   for (std::size_t f = 0; f < model.faces.size(); ++f) {
@@ -172,7 +130,7 @@ void add_heights(const PolygonFrame& frame, const std::vector<std::size_t>& face
 }
 
 /// One Levenberg-Marquardt step: the cost of moves against the heights after it, to first order.
-bool finish_step(const Model& model, const Sparse& cost, double weight, Points& points) {
+bool finish_step(const PlanarModel& model, const Sparse& cost, double weight, Points& points) {
   const auto n = static_cast<Eigen::Index>(3 * points.size());
   Triplets entries;
   for (Eigen::Index column = 0; column < cost.outerSize(); ++column) {
@@ -202,35 +160,32 @@ bool finish_step(const Model& model, const Sparse& cost, double weight, Points& 
 class Planarizer {
  public:
   Planarizer(const Mesh& mesh, const PlanarizeOptions& options, Progress& progress)
-      : model_(model_of(mesh)), options_(options), progress_(progress), best_(model_.start) {
-    best_unevenness_ = unevenness_before_ = measure(model_.start).unevenness;
+      : model_(mesh), options_(options), progress_(progress), best_(model_.start) {
+    const PlanarModel::Measure before = model_.measure(model_.start);
+    best_unevenness_ = unevenness_before_ = before.unevenness;
+    off_plane_before_ = before.off_plane;
   }
 
   PlanarizeResult run();
 
  private:
-  struct Measure {
-    double unevenness = 0;
-    bool is_sound = true;  ///< no face turned over or crosses itself
-  };
-  [[nodiscard]] Measure measure(const Points& points) const;
   double consider(const Points& points);
   [[nodiscard]] bool may_go_on() const {
     return iterations_ < options_.max_iterations && !progress_.is_cancelled();
   }
   [[nodiscard]] bool is_flat(double unevenness) const { return unevenness <= options_.target; }
   void flow(Points& points);
-  bool finish(const std::vector<double>& mass, Points& points);
+  bool finish(const Weights& weights, Points& points);
   void seek_smaller_moves();
-  [[nodiscard]] PolygonSoup soup() const;
   [[nodiscard]] std::string sentence(const PlanarizeResult& result) const;
   [[nodiscard]] std::string reason(const PlanarizeResult& result) const;
 
-  Model model_;
+  PlanarModel model_;
   PlanarizeOptions options_;
   Progress& progress_;
   Points best_;
   double unevenness_before_ = 0;
+  double off_plane_before_ = 0;  // in mean edges, of the corner that was farthest off
   double best_unevenness_ = 0;
   double best_move_ = 0;
   double refused_move_ = 0;  // share of the size that a flat shape moved too far; 0 when there was none
@@ -239,23 +194,11 @@ class Planarizer {
   std::vector<double> energies_;
 };
 
-Planarizer::Measure Planarizer::measure(const Points& points) const {
-  Measure result;
-  for (std::size_t f = 0; f < model_.faces.size(); ++f) {
-    const PolygonFrame frame = model_.frame(f, points);
-    result.unevenness = std::max(result.unevenness, frame.unevenness());
-    const bool has_turned = glm::dot(frame.normal, model_.mesh.normal(FaceId(f))) <= 0;
-    const bool crosses = frame.flat.size() > 3 && model_.was_simple[f] != 0 && !is_simple(frame.flat);
-    if (has_turned || crosses) result.is_sound = false;
-  }
-  return result;
-}
-
 /// Returns the unevenness.
 double Planarizer::consider(const Points& points) {
-  const Measure now = measure(points);
-  const double move = largest_move(model_.start, points);
-  const bool is_allowed = now.is_sound && move <= options_.max_move * model_.size;
+  const PlanarModel::Measure now = model_.measure(points);
+  const double move = planarize_parts::largest_move(model_.start, points);
+  const bool is_allowed = now.folded.empty() && move <= options_.max_move * model_.size;
   const bool is_better = is_flat(best_unevenness_) ? is_flat(now.unevenness) && move < best_move_
                                                    : now.unevenness < best_unevenness_;
   if (is_allowed && is_better) {
@@ -263,7 +206,7 @@ double Planarizer::consider(const Points& points) {
     best_unevenness_ = now.unevenness;
     best_move_ = move;
   } else if (!is_allowed && is_flat(now.unevenness)) {
-    if (!now.is_sound) met_folded_ = true;
+    if (!now.folded.empty()) met_folded_ = true;
     if (move > options_.max_move * model_.size) refused_move_ = move / model_.size;
   }
   return now.unevenness;
@@ -271,14 +214,14 @@ double Planarizer::consider(const Points& points) {
 
 /// The planarization flow, until the finish takes fewer steps.
 void Planarizer::flow(Points& points) {
-  const Sparse cost = cost_of_moves(model_, std::vector<double>(points.size(), 1.0));
+  const Sparse cost = cost_of_moves(model_, Weights(model_));
   double step = kFirstStep;
-  energies_.push_back(energy(model_, points));
+  energies_.push_back(model_.energy(points));
   for (int i = 0; i < kFlowSteps && may_go_on(); ++i) {
     Points next = points;
     ++iterations_;
     if (!flow_step(model_, cost, step, next)) return;
-    const double after = energy(model_, next);
+    const double after = model_.energy(next);
     if (after > energies_.back()) {
       step /= 4;
       continue;
@@ -293,8 +236,8 @@ void Planarizer::flow(Points& points) {
 
 /// Newton's method with the smallest move, led in by growing weights. Half the target, so that the way back
 /// to model units may round. Returns whether it got there.
-bool Planarizer::finish(const std::vector<double>& mass, Points& points) {
-  const Sparse cost = cost_of_moves(model_, mass);
+bool Planarizer::finish(const Weights& weights, Points& points) {
+  const Sparse cost = cost_of_moves(model_, weights);
   double weight = kFirstWeight;
   for (int i = 0; i < kFinishSteps && may_go_on(); ++i) {
     ++iterations_;
@@ -306,45 +249,29 @@ bool Planarizer::finish(const std::vector<double>& mass, Points& points) {
 }
 
 /// The finish again, from the model as it was, with more weight on the corners that moved most: round by
-/// round the largest move goes down towards what the most uneven face asks for.
+/// round the largest move goes down towards what the most uneven face asks for. Faces that folded over get
+/// stiffer.
 void Planarizer::seek_smaller_moves() {
-  std::vector<double> mass(model_.start.size(), 1.0);
-  for (int round = 0; round < kRounds && may_go_on(); ++round) {
+  Weights weights(model_);
+  int last_gain = 0;
+  for (int round = 0; round < kRounds && round - last_gain <= kPatience && may_go_on(); ++round) {
     progress_.set_fraction(0.5 + 0.5 * round / kRounds);
+    const double move_before = best_move_;
     Points points = model_.start;
-    if (!finish(mass, points)) return;
-    const double largest = largest_move(model_.start, points);
-    if (largest < kNobodySees * model_.size) return;
+    if (!finish(weights, points)) return;
+    if (!is_flat(best_unevenness_) || best_move_ != move_before) last_gain = round;
+    const std::vector<std::size_t> folded = model_.measure(points).folded;
+    for (const std::size_t f : folded) weights.stiffness[f] *= kStiffer;
+    const double largest = planarize_parts::largest_move(model_.start, points);
+    if (folded.empty() && largest < kNobodySees * model_.size) return;
     double sum = 0;
-    for (std::size_t v = 0; v < mass.size(); ++v) {
+    for (std::size_t v = 0; v < weights.mass.size(); ++v) {
       const double share = glm::distance(model_.start[v], points[v]) / largest;
-      mass[v] *= 1 + 2 * share * share * share;
-      sum += mass[v];
+      weights.mass[v] *= 1 + 2 * share * share * share;
+      sum += weights.mass[v];
     }
-    for (double& m : mass) m *= static_cast<double>(mass.size()) / sum;
+    for (double& mass : weights.mass) mass *= static_cast<double>(weights.mass.size()) / sum;
   }
-}
-
-PolygonSoup Planarizer::soup() const {
-  const Mesh& mesh = model_.mesh;
-  PolygonSoup soup;
-  soup.name = mesh.name();
-  soup.up_axis = mesh.up_axis();
-  soup.materials = mesh.materials();
-  for (const VertexId v : mesh.vertices()) {
-    // Only the move is added, so that a corner that stayed keeps every digit.
-    soup.points.push_back(mesh.position(v) + (best_[v.index()] - model_.start[v.index()]) * model_.unit);
-  }
-  for (const FaceId f : mesh.faces()) {
-    std::vector<int> face;
-    for (const HalfedgeId h : mesh.halfedges(f)) {
-      face.push_back(mesh.from(h).value);
-      if (mesh.has_uv()) soup.corner_uv.push_back(mesh.uv(h));
-    }
-    soup.add_face(face);
-    if (!mesh.materials().empty()) soup.face_material.push_back(mesh.material(f));
-  }
-  return soup;
 }
 
 std::string Planarizer::reason(const PlanarizeResult& result) const {
@@ -360,22 +287,14 @@ std::string Planarizer::reason(const PlanarizeResult& result) const {
 std::string Planarizer::sentence(const PlanarizeResult& result) const {
   if (result.has_converged && result.iterations == 0) return "All faces are flat already; nothing was moved.";
   if (result.has_converged) {
-    return "All faces are flat now; no corner moved by more than " + percent(result.moved_share) +
-           " of the model's size.";
+    const std::string done = "All faces are flat now; no corner moved by more than " +
+                             percent(result.moved_share) + " of the model's size";
+    if (result.moved_share <= kNoticed) return done + ".";
+    return done + " (corners of its most uneven face were " + percent(off_plane_before_ / model_.size) +
+           " off the face's plane).";
   }
   return reason(result) + "; the worst face is still off its plane by " + percent(result.unevenness_after) +
          " of its size. Split the uneven faces into triangles instead.";
-}
-
-double worst_unevenness(const PolygonSoup& soup) {
-  double worst = 0;
-  std::vector<glm::dvec3> corners;
-  for (int f = 0; f < soup.n_faces(); ++f) {
-    corners.clear();
-    for (const int point : soup.face(f)) corners.push_back(soup.points[static_cast<std::size_t>(point)]);
-    worst = std::max(worst, frame_of(corners).unevenness());
-  }
-  return worst;
 }
 
 PlanarizeResult Planarizer::run() {
@@ -383,15 +302,15 @@ PlanarizeResult Planarizer::run() {
   if (!is_flat(best_unevenness_)) {
     Points points = model_.start;
     flow(points);
-    finish(std::vector<double>(points.size(), 1.0), points);
+    finish(Weights(model_), points);
     if (!is_flat(best_unevenness_) || best_move_ > kNobodySees * model_.size) seek_smaller_moves();
   }
   PlanarizeResult result;
-  result.soup = soup();
+  result.soup = model_.soup(best_);
   result.iterations = iterations_;
   result.flow_energies = std::move(energies_);
   result.unevenness_before = unevenness_before_;
-  result.unevenness_after = worst_unevenness(result.soup);
+  result.unevenness_after = planarize_parts::worst_unevenness(result.soup);
   result.has_converged = is_flat(result.unevenness_after);
   result.was_cancelled = !result.has_converged && progress_.is_cancelled();
   result.moved_share = best_move_ / model_.size;
