@@ -91,6 +91,8 @@ class Reader {
     if (info_app_->parsed()) return info_;
     if (bench_app_->parsed()) return bench();
     unfold_.search = style();
+    if (is_flatten_) unfold_.recipe.uneven = UnevenFaces::Flatten;
+    if (is_split_) unfold_.recipe.uneven = UnevenFaces::Split;
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     // "a4" is understood; what is printed calls it by its own name.
@@ -113,6 +115,16 @@ class Reader {
             within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max(), "a whole number, 0 or more"))
         ->capture_default_str();
     add_search(app, unfold_, "Longest search in seconds, 0 = none");
+    app.add_flag(
+        "--repair", unfold_.recipe.repairs,
+        "Repair the model first: weld, drop doubled and empty faces, turn, part what no paper can be");
+    CLI::Option* flatten =
+        app.add_flag("--planarize", is_flatten_, "Move corners until faces that are not flat are");
+    app.add_flag("--split", is_split_, "Split faces that are not flat into triangles")->excludes(flatten);
+    app.add_option("--simplify", unfold_.recipe.faces, "Simplify the model to at most so many faces")
+        ->type_name("FACES")
+        ->check(within(4, 2000000000, "a number of faces, 4 or more"));
+    app.add_flag("--merge", unfold_.recipe.merges, "Make one face of neighbours that lie in one plane");
     app.add_option("--root", unfold_.root,
                    "Face that the net starts from, by its number in the file counted from 1")
         ->type_name("FACE")
@@ -215,6 +227,8 @@ class Reader {
   CLI::App* bench_app_ = nullptr;
   CLI::Option* height_ = nullptr;
   bool is_fit_page_ = false;
+  bool is_flatten_ = false;
+  bool is_split_ = false;
   UnfoldCommand unfold_;
   VerifyCommand verify_;
   InfoCommand info_;

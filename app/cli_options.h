@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/paper.h"
+#include "core/project/recipe.h"
 #include "core/sheet/pages.h"
 #include "core/solve/solve.h"
 
@@ -22,7 +23,8 @@ struct UnfoldCommand {
   int streams = 2;
   int threads = 0;  ///< 0 = as many as there are streams and cores
   SearchStyle search = SearchStyle::Fast;
-  int root = 0;  ///< face number counted from 1, 0 = none
+  Recipe recipe;  ///< what is done to the model first
+  int root = 0;   ///< face number counted from 1, 0 = none
   PaperSetup paper;
   PrintSize size;
   bool is_json = false;

@@ -10,7 +10,7 @@
 #include "app/cli_watch.h"
 #include "core/base/error.h"
 #include "core/mesh/read.h"
-#include "core/mesh/repair.h"
+#include "core/project/make_model.h"
 #include "core/sheet/page_frame.h"
 #include "core/sheet/write.h"
 #include "core/unfold/obstruction.h"
@@ -59,14 +59,16 @@ struct Model {
   std::vector<std::string> notices;
 };
 
-Model read_model(const fs::path& path) {
-  const PreparedModel prepared = prepare(read_soup(path));
+Model read_model(const UnfoldCommand& command, Progress& progress) {
+  const auto soup = std::make_shared<const PolygonSoup>(read_soup(command.model));
+  MadeModel made = make_model(soup, command.recipe, nullptr, progress);
+  if (!made.dual) throw Error(ErrorKind::Unfit, made.refusal);
   Model model;
-  if (!prepared.is_fit()) throw Error(ErrorKind::Unfit, prepared.refusal);
-  for (const MeshReport::Line& line : prepared.report.lines) {
+  model.notices = std::move(made.done);
+  for (const MeshReport::Line& line : made.report.lines) {
     if (line.kind == MeshReport::Line::Kind::Notice) model.notices.push_back(line.text);
   }
-  model.dual = std::make_shared<const DualGraph>(prepared.mesh);
+  model.dual = std::move(made.dual);
   return model;
 }
 
@@ -136,7 +138,8 @@ int run_unfold(const UnfoldCommand& command) {
   static_cast<void>(page_frame(command.paper));  // refuses unknown paper
   const Interrupts interrupts;
   Model model;
-  Watched watched = run_watched(interrupts, [&](Progress&) { model = read_model(command.model); });
+  Watched watched =
+      run_watched(interrupts, [&](Progress& progress) { model = read_model(command, progress); });
   if (watched.was_interrupted) return kCancelled;
   for (const std::string& notice : model.notices) complain("note: " + notice);
 

@@ -17,9 +17,10 @@ std::vector<bool> flips_of(const Mesh& mesh) {
   return flips;
 }
 
-std::vector<int> sources_of(const Mesh& mesh) {
+template <class Faces>
+std::vector<int> sources_of(const Mesh& mesh, const Faces& faces) {
   std::vector<int> sources;
-  for (const FaceId f : mesh.faces()) sources.push_back(mesh.face_source(f));
+  for (const FaceId f : faces) sources.push_back(mesh.face_source(f));
   return sources;
 }
 
@@ -71,7 +72,8 @@ class Maker {
     const Mesh& mesh = *stages_.mesh;
     if (recipe_.uneven == UnevenFaces::Split) {
       const SplitFaces split = split_uneven_faces(mesh);
-      stages_.mesh = std::make_shared<const Mesh>(split.soup, split.is_flipped, split.face_source);
+      stages_.mesh =
+          std::make_shared<const Mesh>(split.soup, split.is_flipped, sources_of(mesh, split.split_from));
       stages_.done.push_back("Split " + std::to_string(split.n_split) +
                              (split.n_split == 1 ? " uneven face" : " uneven faces") + " into triangles.");
       model_.refusal.clear();
@@ -79,7 +81,8 @@ class Maker {
       progress_.set_phase("Flattening the faces of " + source_->name);
       const PlanarizeResult flat = planarize(mesh, {}, progress_);
       if (flat.has_converged) {
-        stages_.mesh = std::make_shared<const Mesh>(flat.soup, flips_of(mesh), sources_of(mesh));
+        stages_.mesh =
+            std::make_shared<const Mesh>(flat.soup, flips_of(mesh), sources_of(mesh, mesh.faces()));
         stages_.done.push_back(flat.sentence);
         model_.refusal.clear();
       } else {

@@ -47,6 +47,13 @@ class CornerClasses {
   std::vector<int> leader_;
 };
 
+// Repair may split a face of the file or fill a hole; then the net's faces are counted as the mesh has them.
+bool are_distinct(std::vector<int> sources) {
+  std::sort(sources.begin(), sources.end());
+  return (sources.empty() || sources.front() >= 0) &&
+         std::adjacent_find(sources.begin(), sources.end()) == sources.end();
+}
+
 Assignment assignment(double bend) {
   if (std::abs(bend) < kCertainBend) return Assignment::Flat;
   return bend > 0 ? Assignment::Mountain : Assignment::Valley;
@@ -98,6 +105,7 @@ FlatNet to_flat_net(const Net& net, double scale) {
     flat.faces.push_back(std::move(face));
     flat.face_source.push_back(mesh.face_source(f));
   }
+  if (!are_distinct(flat.face_source)) std::iota(flat.face_source.begin(), flat.face_source.end(), 0);
   add_edges(net, point, flat);
   settle(flat, mesh.mean_edge() * scale);
   return flat;

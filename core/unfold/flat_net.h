@@ -24,7 +24,8 @@ struct FlatNet {
   std::vector<glm::dvec2> points;       ///< in the plane, mm at print scale
   std::vector<glm::dvec3> folded;       ///< the same vertices on the model, model units
   std::vector<std::vector<int>> faces;  ///< in the order of the model's file
-  std::vector<int> face_source;         ///< index of the model's face, one per face
+  std::vector<int> face_source;         ///< index of the model's face, one per face and each once: the file's
+                                        ///< face, or the mesh's where one of the file became several
   std::vector<Edge> edges;              ///< folds once; cut edges once per side, as Boundary
 };
 

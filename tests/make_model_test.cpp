@@ -1,0 +1,133 @@
+// From a file's faces and a recipe to the mesh that is unfolded: what every ingredient does, and that stages
+// kept from an earlier recipe change nothing but the time.
+#include "core/project/make_model.h"
+
+#include <gtest/gtest.h>
+
+#include "core/solve/solve.h"
+#include "tests/support.h"
+
+namespace netwright {
+namespace {
+
+std::shared_ptr<const PolygonSoup> shared(PolygonSoup soup) {
+  return std::make_shared<const PolygonSoup>(std::move(soup));
+}
+
+MadeModel make(const std::shared_ptr<const PolygonSoup>& soup, const Recipe& recipe,
+               const std::shared_ptr<const ModelStages>& before = nullptr) {
+  Progress progress;
+  return make_model(soup, recipe, before, progress);
+}
+
+// A box whose lid is lifted at one corner: a quad that is not flat.
+PolygonSoup bent_box() {
+  PolygonSoup soup = shapes::cuboid({2, 1, 3});
+  soup.points.back() += glm::dvec3(0.1, 0.2, 0.15);
+  soup.name = "bent.obj";
+  return soup;
+}
+
+PolygonSoup with_a_doubled_face(PolygonSoup soup) {
+  soup.add_face(std::vector<int>(soup.face(2).begin(), soup.face(2).end()));
+  return soup;
+}
+
+bool has_net(const MadeModel& model) {
+  Progress progress;
+  SolveOptions options;
+  options.max_iterations = 50'000;
+  return solve(model.dual, options, progress).is_proved;
+}
+
+void expect_same(const Mesh& a, const Mesh& b) {
+  ASSERT_EQ(a.n_faces(), b.n_faces());
+  ASSERT_EQ(a.n_vertices(), b.n_vertices());
+  for (const VertexId v : a.vertices()) EXPECT_EQ(a.position(v), b.position(v));
+  for (const FaceId f : a.faces()) EXPECT_EQ(a.face_source(f), b.face_source(f));
+}
+
+TEST(MakeModel, WithoutARecipeASoundModelStaysAsItIs) {
+  for (const auto& shape : testing::zoo()) {
+    const MadeModel model = make(shared(shape.soup), {});
+    ASSERT_TRUE(model.dual) << shape.soup.name;
+    EXPECT_EQ(static_cast<int>(model.dual->mesh().n_faces()), shape.soup.n_faces());
+    EXPECT_TRUE(model.done.empty()) << model.done.front();
+  }
+}
+
+TEST(MakeModel, UnevenFacesAreRefusedSplitOrFlattenedAsAsked) {
+  const auto soup = shared(bent_box());
+  const MadeModel refused = make(soup, {});
+  EXPECT_FALSE(refused.dual);
+  EXPECT_NE(refused.refusal.find("flat"), std::string::npos) << refused.refusal;
+  const MadeModel split = make(soup, {.uneven = UnevenFaces::Split});
+  ASSERT_TRUE(split.dual);
+  EXPECT_GT(split.dual->mesh().n_faces(), 6U);
+  EXPECT_TRUE(has_net(split));
+  const MadeModel flat = make(soup, {.uneven = UnevenFaces::Flatten});
+  ASSERT_TRUE(flat.dual) << flat.refusal;
+  EXPECT_EQ(flat.dual->mesh().n_faces(), 6U);
+  EXPECT_TRUE(has_net(flat));
+  for (const MadeModel* model : {&split, &flat}) EXPECT_EQ(model->done.size(), 1U);
+}
+
+TEST(MakeModel, RepairIsOnlyDoneWhenAskedFor) {
+  const auto soup = shared(with_a_doubled_face(shapes::cube()));
+  const MadeModel broken = make(soup, {});
+  EXPECT_FALSE(broken.dual);
+  EXPECT_FALSE(broken.refusal.empty());
+  const MadeModel repaired = make(soup, {.repairs = true});
+  ASSERT_TRUE(repaired.dual) << repaired.refusal;
+  EXPECT_EQ(repaired.dual->mesh().n_faces(), 6U);
+  EXPECT_FALSE(repaired.done.empty());
+  EXPECT_TRUE(has_net(repaired));
+}
+
+TEST(MakeModel, SimplifiesAndMergesToModelsThatUnfold) {
+  const auto ball = shared(shapes::icosphere(8));
+  const MadeModel fewer = make(ball, {.faces = 200});
+  ASSERT_TRUE(fewer.dual);
+  EXPECT_LE(fewer.dual->mesh().n_faces(), 200U);
+  EXPECT_GE(fewer.dual->mesh().n_faces(), 190U);
+  EXPECT_TRUE(fewer.dual->mesh().is_closed());
+  EXPECT_GT(fewer.deviation, 0);
+  EXPECT_TRUE(has_net(fewer));
+  const MadeModel merged = make(shared(shapes::grid_cube(3)), {.merges = true});
+  EXPECT_EQ(merged.dual->mesh().n_faces(), 6U);
+  EXPECT_TRUE(has_net(merged));
+}
+
+TEST(MakeModel, StagesKeptFromEarlierChangeOnlyTheTime) {
+  const auto soup = shared(shapes::torus(20, 12));
+  MadeModel model = make(soup, {});
+  for (const Recipe& recipe : {Recipe{.faces = 100}, Recipe{.faces = 60}, Recipe{.faces = 60, .merges = true},
+                               Recipe{.faces = 300}, Recipe{.repairs = true, .faces = 80}, Recipe{}}) {
+    model = make(soup, recipe, model.stages);
+    expect_same(model.dual->mesh(), make(soup, recipe).dual->mesh());
+  }
+}
+
+TEST(MakeModel, NetsOfSplitAndRepairedModelsNameEveryFaceOnce) {
+  PolygonSoup holed = shapes::icosphere(3);
+  holed.corners.resize(holed.corners.size() - 3);
+  holed.face_begin.pop_back();
+  for (const auto& [soup, recipe] :
+       {std::pair{shared(bent_box()), Recipe{.repairs = true, .uneven = UnevenFaces::Split}},
+        std::pair{shared(holed), Recipe{.repairs = true}}}) {
+    const MadeModel model = make(soup, recipe);
+    ASSERT_TRUE(model.dual);
+    EXPECT_TRUE(has_net(model)) << soup->name;
+  }
+}
+
+TEST(MakeModel, ACancelledMakingIsNoModelOfTheRecipe) {
+  Progress progress;
+  progress.cancel();
+  const MadeModel model = make_model(shared(shapes::icosphere(4)), {.faces = 100}, nullptr, progress);
+  EXPECT_TRUE(model.was_cancelled);
+  EXPECT_EQ(model.stages->simplifier, nullptr);
+}
+
+}  // namespace
+}  // namespace netwright
