@@ -88,6 +88,9 @@ MeshReport report_on(const PolygonSoup& soup);
 /// cut through each other. Culprits are faces of the file (face_source).
 MeshReport report_on(const Mesh& mesh);
 
+/// Adds what the reader had to say (soup.notices).
+void add_reader_notices(const PolygonSoup& soup, MeshReport& report);
+
 /// The counts that a soup without a mesh still has, and why there is no mesh.
 MeshReport report_on(const PolygonSoup& soup, const std::string& problem);
 

@@ -1,33 +1,57 @@
-// Sweeps boxes along the longest axis for candidate pairs; two faces cross when each has corners on both
-// sides of the other's plane and the stretches they cut out of the common line of both planes overlap.
+// A tree of boxes finds candidate pairs; two faces cross when each has corners on both sides of the other's
+// plane and the stretches they cut out of the common line of both planes overlap.
 #include "core/mesh/self_intersection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <span>
 
 #include "core/base/geometry.h"
 #include "core/base/predicates.h"
+#include "core/mesh/repair_topology.h"
 
 namespace netwright {
 namespace {
 
-/// A face and its box.
-struct Candidate {
-  FaceId face;
-  Box3 box;
+/// What the tests need to know of every face, from a mesh or a soup.
+struct Faces {
+  std::vector<std::size_t> begin{0};
+  std::vector<glm::dvec3> corners;
+  std::vector<repair::FaceMeasure> measures;
+  std::vector<Box3> boxes;
+
+  [[nodiscard]] int size() const { return static_cast<int>(measures.size()); }
+  [[nodiscard]] std::span<const glm::dvec3> face(int f) const {
+    const auto at = static_cast<std::size_t>(f);
+    return std::span(corners).subspan(begin[at], begin[at + 1] - begin[at]);
+  }
+  [[nodiscard]] const repair::FaceMeasure& measure(int f) const {
+    return measures[static_cast<std::size_t>(f)];
+  }
+  void finish_face(const repair::FaceMeasure& measure) {
+    measures.push_back(measure);
+    Box3 box;
+    for (std::size_t i = begin.back(); i < corners.size(); ++i) box.add(corners[i]);
+    boxes.push_back(box);
+    begin.push_back(corners.size());
+  }
 };
 
 class CrossingTest {
  public:
-  explicit CrossingTest(const Mesh& mesh) : mesh_(mesh) {}
+  explicit CrossingTest(const Faces& faces) : faces_(faces) {}
 
-  bool operator()(FaceId a, FaceId b) {
-    const double touch = kCrossingDepth * std::max(mesh_.size(a), mesh_.size(b));
-    if (!measure(a, b, touch + mesh_.unevenness(b) * mesh_.size(b), heights_a_)) return false;
-    if (!measure(b, a, touch + mesh_.unevenness(a) * mesh_.size(a), heights_b_)) return false;
-    const glm::dvec3 line = glm::cross(mesh_.normal(a), mesh_.normal(b));
+  bool operator()(int a, int b) {
+    const repair::FaceMeasure& face_a = faces_.measure(a);
+    const repair::FaceMeasure& face_b = faces_.measure(b);
+    if (!face_a.has_area || !face_b.has_area) return false;
+    const double touch = kCrossingDepth * std::max(face_a.size, face_b.size);
+    if (!measure(a, b, touch + face_b.unevenness * face_b.size, heights_a_)) return false;
+    if (!measure(b, a, touch + face_a.unevenness * face_a.size, heights_b_)) return false;
+    const glm::dvec3 line = glm::cross(face_a.normal, face_b.normal);
     const double sine = glm::length(line);
     if (!(sine > kCrossingDepth)) return false;  // as good as parallel: they can only touch
     find_stretches(a, line / sine, heights_a_, stretches_a_);
@@ -45,12 +69,12 @@ class CrossingTest {
  private:
   /// Heights of f's corners over the plane of `other`, those within `touch` set to 0; false unless there are
   /// some on both sides.
-  bool measure(FaceId f, FaceId other, double touch, std::vector<double>& heights) const {
+  bool measure(int f, int other, double touch, std::vector<double>& heights) const {
     heights.clear();
     bool has_above = false;
     bool has_below = false;
-    for (const HalfedgeId h : mesh_.halfedges(f)) {
-      double height = glm::dot(mesh_.position(h) - mesh_.centre(other), mesh_.normal(other));
+    for (const glm::dvec3& p : faces_.face(f)) {
+      double height = glm::dot(p - faces_.measure(other).centre, faces_.measure(other).normal);
       if (std::abs(height) <= touch) height = 0;
       has_above |= height > 0;
       has_below |= height < 0;
@@ -61,40 +85,29 @@ class CrossingTest {
 
   /// Where the outline of f passes through the other plane, sorted along the line: pairs bound the stretches
   /// that lie inside f. Corners on the plane count as above, so that their number is even.
-  void find_stretches(FaceId f, glm::dvec3 line, const std::vector<double>& heights,
+  void find_stretches(int f, glm::dvec3 line, const std::vector<double>& heights,
                       std::vector<double>& stretches) const {
     stretches.clear();
     const std::size_t n = heights.size();
-    const HalfedgeId first = mesh_.first(f);
+    const auto corners = faces_.face(f);
+    const glm::dvec3 centre = faces_.measure(f).centre;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t j = i + 1 == n ? 0 : i + 1;
       if ((heights[i] < 0) == (heights[j] < 0)) continue;
-      const glm::dvec3 p = mesh_.position(HalfedgeId(first.index() + i)) - mesh_.centre(f);
-      const glm::dvec3 q = mesh_.position(HalfedgeId(first.index() + j)) - mesh_.centre(f);
+      const glm::dvec3 p = corners[i] - centre;
+      const glm::dvec3 q = corners[j] - centre;
       const double share = heights[i] / (heights[i] - heights[j]);
-      stretches.push_back(glm::dot(p + share * (q - p) + mesh_.centre(f), line));
+      stretches.push_back(glm::dot(p + share * (q - p) + centre, line));
     }
     std::ranges::sort(stretches);
   }
 
-  const Mesh& mesh_;
+  const Faces& faces_;
   std::vector<double> heights_a_;
   std::vector<double> heights_b_;
   std::vector<double> stretches_a_;
   std::vector<double> stretches_b_;
 };
-
-std::vector<Candidate> sorted_candidates(const Mesh& mesh, int axis) {
-  std::vector<Candidate> candidates;
-  candidates.reserve(mesh.n_faces());
-  for (const FaceId f : mesh.faces()) {
-    Candidate candidate{.face = f, .box = {}};
-    for (const HalfedgeId h : mesh.halfedges(f)) candidate.box.add(mesh.position(h));
-    candidates.push_back(candidate);
-  }
-  std::ranges::sort(candidates, {}, [axis](const Candidate& c) { return c.box.min[axis]; });
-  return candidates;
-}
 
 bool boxes_meet(const Box3& a, const Box3& b) {
   return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
@@ -106,23 +119,133 @@ int longest_axis(glm::dvec3 size) {
   return size.y >= size.z ? 1 : 2;
 }
 
-}  // namespace
+/// Boxes around boxes, halved by the faces' middles. Node n has its halves at left and left + 1.
+class BoxTree {
+ public:
+  explicit BoxTree(const std::vector<Box3>& boxes) : boxes_(boxes), order_(boxes.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    nodes_.push_back({{}, 0, static_cast<int>(order_.size()), -1});
+    for (std::size_t n = 0; n < nodes_.size(); ++n) split(n);
+  }
 
-std::vector<std::pair<FaceId, FaceId>> self_intersections(const Mesh& mesh) {
-  const int axis = longest_axis(mesh.box().size());
-  const std::vector<Candidate> candidates = sorted_candidates(mesh, axis);
-  CrossingTest cross_each_other(mesh);
-  std::vector<std::pair<FaceId, FaceId>> pairs;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Candidate& a = candidates[i];
-    for (std::size_t j = i + 1; j < candidates.size() && candidates[j].box.min[axis] <= a.box.max[axis];
-         ++j) {
-      const Candidate& b = candidates[j];
-      if (!boxes_meet(a.box, b.box) || !cross_each_other(a.face, b.face)) continue;
-      pairs.emplace_back(std::min(a.face, b.face), std::max(a.face, b.face));
+  /// Calls visit(i, j) once for each pair of boxes that meet; false when the work was cut off.
+  template <class Visit>
+  bool for_meeting_pairs(std::int64_t most_work, Visit visit) const {
+    std::vector<std::array<int, 2>> stack{{0, 0}};
+    while (!stack.empty()) {
+      const auto [a, b] = stack.back();
+      stack.pop_back();
+      const Node& x = node(a);
+      const Node& y = node(b);
+      most_work -= 1 + (x.left < 0 && y.left < 0 ? (x.end - x.begin) * (y.end - y.begin) : 0);
+      if (most_work < 0) return false;
+      if (!boxes_meet(x.box, y.box)) continue;
+      if (x.left < 0 && y.left < 0) {
+        visit_leaves(x, y, visit);
+      } else if (a == b) {
+        stack.push_back({x.left, x.left});
+        stack.push_back({x.left + 1, x.left + 1});
+        stack.push_back({x.left, x.left + 1});
+      } else if (y.left < 0 || (x.left >= 0 && x.end - x.begin > y.end - y.begin)) {
+        stack.push_back({x.left, b});
+        stack.push_back({x.left + 1, b});
+      } else {
+        stack.push_back({a, y.left});
+        stack.push_back({a, y.left + 1});
+      }
+    }
+    return true;
+  }
+
+ private:
+  struct Node {
+    Box3 box;
+    int begin;
+    int end;
+    int left;
+  };
+  static constexpr int kLeaf = 4;
+
+  [[nodiscard]] const Node& node(int n) const { return nodes_[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] const Box3& box(int i) const {
+    return boxes_[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])];
+  }
+
+  void split(std::size_t n) {
+    const int begin = nodes_[n].begin;
+    const int end = nodes_[n].end;
+    Box3 middles;
+    for (int i = begin; i < end; ++i) {
+      nodes_[n].box.add(box(i));
+      middles.add(box(i).centre());
+    }
+    if (end - begin <= kLeaf) return;
+    const int axis = longest_axis(middles.size());
+    const int half = (begin + end) / 2;
+    std::nth_element(order_.begin() + begin, order_.begin() + half, order_.begin() + end, [&](int a, int b) {
+      const double at_a = boxes_[static_cast<std::size_t>(a)].centre()[axis];
+      const double at_b = boxes_[static_cast<std::size_t>(b)].centre()[axis];
+      return at_a != at_b ? at_a < at_b : a < b;
+    });
+    nodes_[n].left = static_cast<int>(nodes_.size());
+    nodes_.push_back({{}, begin, half, -1});
+    nodes_.push_back({{}, half, end, -1});
+  }
+
+  template <class Visit>
+  void visit_leaves(const Node& x, const Node& y, Visit& visit) const {
+    for (int i = x.begin; i < x.end; ++i) {
+      for (int j = &x == &y ? i + 1 : y.begin; j < y.end; ++j) {
+        if (boxes_meet(box(i), box(j)))
+          visit(order_[static_cast<std::size_t>(i)], order_[static_cast<std::size_t>(j)]);
+      }
     }
   }
-  std::ranges::sort(pairs);
+
+  const std::vector<Box3>& boxes_;
+  std::vector<int> order_;
+  std::vector<Node> nodes_;
+};
+
+SelfIntersections find_crossings(const Faces& faces) {
+  constexpr std::int64_t kMostWork = 40'000'000;
+  SelfIntersections found;
+  if (faces.size() == 0) return found;
+  CrossingTest cross_each_other(faces);
+  const BoxTree tree(faces.boxes);
+  found.is_complete = tree.for_meeting_pairs(kMostWork, [&](int i, int j) {
+    const int a = std::min(i, j);
+    const int b = std::max(i, j);
+    if (cross_each_other(a, b)) found.pairs.emplace_back(a, b);
+  });
+  std::ranges::sort(found.pairs);
+  return found;
+}
+
+}  // namespace
+
+SelfIntersections find_self_intersections(const PolygonSoup& soup) {
+  Faces faces;
+  for (int f = 0; f < soup.n_faces(); ++f) {
+    for (const int point : soup.face(f))
+      faces.corners.push_back(soup.points[static_cast<std::size_t>(point)]);
+    faces.finish_face(repair::measure_face(soup, f));
+  }
+  return find_crossings(faces);
+}
+
+SelfIntersections find_self_intersections(const Mesh& mesh) {
+  Faces faces;
+  for (const FaceId f : mesh.faces()) {
+    for (const HalfedgeId h : mesh.halfedges(f)) faces.corners.push_back(mesh.position(h));
+    faces.finish_face({mesh.centre(f), mesh.normal(f), mesh.size(f), mesh.unevenness(f), true});
+  }
+  return find_crossings(faces);
+}
+
+std::vector<std::pair<FaceId, FaceId>> self_intersections(const Mesh& mesh) {
+  std::vector<std::pair<FaceId, FaceId>> pairs;
+  for (const auto& [a, b] : find_self_intersections(mesh).pairs) pairs.emplace_back(FaceId(a), FaceId(b));
   return pairs;
 }
 
