@@ -21,6 +21,25 @@ constexpr double kAMoveInTenSeconds = 0.1;
 
 std::string bumpy() { return shapes::to_obj(shapes::bumpy_patch(6, 6)); }
 std::string ball() { return shapes::to_obj(shapes::icosphere(4)); }
+/// Nearly flat terrain, full of saddles: a search of thousands of moves.
+std::string terrain() {
+  PolygonSoup soup = shapes::bumpy_patch(16, 16);
+  Random random(1);
+  for (glm::dvec3& p : soup.points) p.y = 0.05 * random.unit();
+  return shapes::to_obj(soup);
+}
+/// A box with one face twice: nothing that paper can be.
+std::string broken_box() {
+  PolygonSoup soup = shapes::cuboid({1, 2, 3});
+  soup.add_face(std::vector<int>(soup.face(0).begin(), soup.face(0).end()));
+  return shapes::to_obj(soup);
+}
+/// A box with a corner pulled out: three quads that are not flat.
+std::string bent_box() {
+  PolygonSoup soup = shapes::cuboid({2, 1, 3});
+  soup.points.back() += glm::dvec3(0.1, 0.2, 0.15);
+  return shapes::to_obj(soup);
+}
 /// A search that goes on until it is told to end.
 std::string endless() { return shapes::to_obj(testing::endless_search()); }
 
@@ -146,13 +165,91 @@ TEST_F(SessionTest, KeepsTheModelWhenAnotherFileIsBroken) {
   EXPECT_EQ(session_.project(), before);
 }
 
-TEST_F(SessionTest, RefusesAModelThatCannotBeUnfoldedAndStaysEmpty) {
-  session_.open_bytes("fins.obj",
-                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+TEST_F(SessionTest, RefusesAModelThatCannotBeRepairedAndStaysEmpty) {
+  session_.open_bytes("moebius.obj",
+                      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nv 0 0 1\n"
+                      "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n");
   ASSERT_TRUE(frames_until([this] { return session_.state() != RunState::Opening; }));
   EXPECT_EQ(session_.state(), RunState::Empty);
+  EXPECT_EQ(session_.pending(), nullptr);
   ASSERT_EQ(messages_.size(), 1u);
   EXPECT_EQ(messages_.front().kind, Message::Kind::Error);
+}
+
+TEST_F(SessionTest, AsksBeforeItRepairsAndOpensWhatTheUserAgreedTo) {
+  open(ball());
+  session_.open_bytes("box.obj", broken_box());
+  ASSERT_TRUE(frames_until([this] { return session_.pending() != nullptr; }));
+  EXPECT_EQ(session_.figures().faces, 320) << "the present model stays until the user has decided";
+  EXPECT_FALSE(session_.pending()->refusal.empty());
+  EXPECT_FALSE(session_.pending()->repairs.empty());
+  EXPECT_EQ(session_.pending()->n_faces_repaired, 6);
+  EXPECT_FALSE(session_.pending()->can_flatten);
+  session_.repair_pending();
+  EXPECT_EQ(session_.pending(), nullptr);
+  EXPECT_EQ(session_.figures().faces, 6);
+  EXPECT_TRUE(session_.recipe().repairs);
+  session_.unfold();
+  ASSERT_TRUE(frames_until_idle());
+  EXPECT_TRUE(session_.shown()->is_proved);
+}
+
+TEST_F(SessionTest, ADroppedBrokenFileChangesNothing) {
+  open(ball());
+  const Project before = session_.project();
+  session_.open_bytes("box.obj", broken_box());
+  ASSERT_TRUE(frames_until([this] { return session_.pending() != nullptr; }));
+  session_.drop_pending();
+  frame();
+  EXPECT_EQ(session_.pending(), nullptr);
+  EXPECT_EQ(session_.project(), before);
+}
+
+TEST_F(SessionTest, FlattensUnevenFacesInsteadOfSplittingThem) {
+  session_.open_bytes("bent.obj", bent_box());
+  ASSERT_TRUE(frames_until([this] { return session_.pending() != nullptr; }));
+  EXPECT_TRUE(session_.pending()->can_flatten);
+  session_.flatten_pending();
+  ASSERT_TRUE(frames_until([this] { return session_.has_model(); }));
+  EXPECT_EQ(session_.pending(), nullptr);
+  EXPECT_EQ(session_.figures().faces, 6);
+  EXPECT_EQ(session_.recipe().uneven, UnevenFaces::Flatten);
+}
+
+TEST_F(SessionTest, DraggingTheSimplifySliderUnfoldsAsItGoesAndIsOneUndoStep) {
+  open(ball());
+  session_.pin_root(FaceId(7));
+  for (const int faces : {300, 250, 200, 150, 100}) {
+    session_.simplify_to(faces, true);
+    for (int i = 0; i < 3; ++i) frame();
+  }
+  session_.simplify_to(80, false);
+  ASSERT_TRUE(frames_until([this] {
+    return session_.figures().faces <= 80 && session_.project().tree && session_.state() == RunState::Idle;
+  }));
+  EXPECT_EQ(session_.recipe().faces, 80);
+  EXPECT_GT(session_.deviation_mm(), 0);
+  EXPECT_EQ(session_.n_faces_before_simplifying(), 320);
+  session_.undo();  // the net
+  EXPECT_EQ(session_.project().tree, nullptr);
+  session_.undo();  // the whole drag
+  EXPECT_EQ(session_.recipe(), Recipe{});
+  EXPECT_EQ(session_.project().dual->mesh().n_faces(), 320u);
+  EXPECT_EQ(session_.project().pinned_root, FaceId(7));
+  EXPECT_EQ(session_.undo_label(), "Undo pin root");
+  session_.redo();
+  EXPECT_LE(session_.project().dual->mesh().n_faces(), 80u);
+}
+
+TEST_F(SessionTest, MergingIsAStepThatCanBeUndone) {
+  open(shapes::to_obj(shapes::grid_cube(3)));
+  Recipe recipe = session_.recipe();
+  recipe.merges = true;
+  session_.set_recipe(recipe, "merge faces");
+  ASSERT_TRUE(frames_until([this] { return session_.project().dual->mesh().n_faces() == 6; }));
+  EXPECT_EQ(session_.undo_label(), "Undo merge faces");
+  session_.undo();
+  EXPECT_EQ(session_.project().dual->mesh().n_faces(), 54u);
 }
 
 TEST_F(SessionTest, TheNewestOpenWins) {
@@ -441,7 +538,7 @@ TEST_F(SessionTest, PinningDuringARunStartsItAgainWithThePin) {
 }
 
 TEST_F(SessionTest, AnUnfinishedRunGoesBackToTheNetBeforeIt) {
-  open_and_unfold(bumpy());
+  open_and_unfold(terrain());
   const Project before = session_.project();
   session_.set_speed(kAMoveInTenSeconds);
   session_.new_seed();

@@ -52,8 +52,7 @@ bool Session::Impl::take_opened() {
 // A model takes the place of the present one, with a history of its own.
 void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
                           std::shared_ptr<const MadeModel> made) {
-  if (chore_making) chore_making->progress->cancel();
-  chore_making = nullptr;
+  cancel_making();
   discard_run();
   playing.reset();
   Project next = new_project(project(), model.path, made->dual);
@@ -87,11 +86,18 @@ void Session::Impl::make(Making wanted) {
       });
 }
 
+void Session::Impl::cancel_making() {
+  if (chore_making) chore_making->progress->cancel();
+  chore_making = nullptr;
+  queued.reset();
+}
+
 bool Session::Impl::take_made() {
   const std::shared_ptr<const Made> made = chore_making ? chore_making->result.take() : nullptr;
   if (!made) return false;
   chore_making = nullptr;
   if (!made->model || !made->model->dual) {
+    queued.reset();
     say(Message::Kind::Error, made->model ? made->model->refusal : made->fault);
     return true;
   }
@@ -115,6 +121,11 @@ bool Session::Impl::take_made() {
   drop_result();
   derive_again();
   if (making.unfolds || was_running) start_run(SearchRun::Start::Running);
+  if (queued) {
+    Making latest = *std::exchange(queued, std::nullopt);
+    latest.continues_step = true;
+    make(std::move(latest));
+  }
   return true;
 }
 
@@ -126,9 +137,8 @@ void Session::open_bytes(const std::string& name, std::string bytes, CompanionLo
 
 void Session::cancel_opening() {
   if (impl_->opening) impl_->opening->progress->cancel();
-  if (impl_->chore_making) impl_->chore_making->progress->cancel();
   impl_->opening = nullptr;
-  impl_->chore_making = nullptr;
+  impl_->cancel_making();
 }
 
 const MeshReport* Session::report() const { return has_model() ? &project().made->report : nullptr; }
@@ -152,20 +162,34 @@ void Session::drop_pending() {
   impl_->waiting.reset();
 }
 
+bool Session::is_making() const { return impl_->chore_making != nullptr; }
+
+Recipe Session::wanted_recipe() const {
+  if (impl_->queued) return impl_->queued->recipe;
+  return impl_->chore_making && !impl_->waiting ? impl_->making.recipe : project().recipe;
+}
+
 void Session::set_recipe(const Recipe& recipe, const std::string& label) {
-  if (!has_model() || recipe == project().recipe) return;
+  if (!has_model() || recipe == wanted_recipe()) return;
+  impl_->queued.reset();
   impl_->make({recipe, label, false, false});
 }
 
 void Session::simplify_to(int faces, bool is_dragging) {
   if (!has_model()) return;
-  Recipe recipe = project().recipe;
   const bool is_same_gesture = std::exchange(impl_->is_dragging, is_dragging);
-  const int wanted = impl_->chore_making ? impl_->making.recipe.faces : recipe.faces;
-  if (faces == wanted) return;
+  Recipe recipe = wanted_recipe();
+  if (faces == recipe.faces) return;
   recipe.faces = faces;
   const bool continues = is_same_gesture && impl_->making.continues_step;
-  impl_->make({recipe, "simplify", true, continues});
+  Impl::Making wanted{recipe, "simplify", true, continues};
+  if (impl_->chore_making && is_same_gesture) {
+    // Breaking off what is nearly done would leave a steadily moved slider without any picture.
+    impl_->queued = std::move(wanted);
+  } else {
+    impl_->queued.reset();
+    impl_->make(std::move(wanted));
+  }
 }
 
 int Session::n_faces_before_simplifying() const {
