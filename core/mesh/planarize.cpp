@@ -89,15 +89,15 @@ bool flow_step(const PlanarModel& model, const Sparse& cost, double step, Points
         entries.emplace_back(face[i], face[j], step * matrix(i, j));
     }
   }
-  Sparse system(n, n);
-  system.setFromTriplets(entries.begin(), entries.end());
-  system += cost;
+  Sparse equations(n, n);
+  equations.setFromTriplets(entries.begin(), entries.end());
+  equations += cost;
   Eigen::MatrixXd places(n, 3);
   for (Eigen::Index v = 0; v < n; ++v) {
     const glm::dvec3& point = points[static_cast<std::size_t>(v)];
     places.row(v) << point.x, point.y, point.z;
   }
-  const Eigen::SimplicialLDLT<Sparse> solver(system);
+  const Eigen::SimplicialLDLT<Sparse> solver(equations);
   if (solver.info() != Eigen::Success) return false;
   const Eigen::MatrixXd moved = solver.solve(cost * places);
   if (!moved.allFinite()) return false;
@@ -143,9 +143,9 @@ bool finish_step(const PlanarModel& model, const Sparse& cost, double weight, Po
     if (model.faces[f].size() == 3) continue;
     add_heights(model.frame(f, points), model.faces[f], weight, entries, force);
   }
-  Sparse system(n, n);
-  system.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Sparse> solver(system);
+  Sparse equations(n, n);
+  equations.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Sparse> solver(equations);
   if (solver.info() != Eigen::Success) return false;
   const Eigen::VectorXd move = solver.solve(force);
   if (!move.allFinite()) return false;
@@ -254,12 +254,13 @@ bool Planarizer::finish(const Weights& weights, Points& points) {
 void Planarizer::seek_smaller_moves() {
   Weights weights(model_);
   int last_gain = 0;
-  for (int round = 0; round < kRounds && round - last_gain <= kPatience && may_go_on(); ++round) {
+  for (int round = 0; round < kRounds && may_go_on(); ++round) {
     progress_.set_fraction(0.5 + 0.5 * round / kRounds);
     const double move_before = best_move_;
     Points points = model_.start;
     if (!finish(weights, points)) return;
     if (!is_flat(best_unevenness_) || best_move_ != move_before) last_gain = round;
+    if (round - last_gain >= kPatience && best_move_ <= kNoticed * model_.size) return;
     const std::vector<std::size_t> folded = model_.measure(points).folded;
     for (const std::size_t f : folded) weights.stiffness[f] *= kStiffer;
     const double largest = planarize_parts::largest_move(model_.start, points);

@@ -15,6 +15,10 @@
 namespace netwright {
 namespace {
 
+/// Faces are split from this unevenness on. What is only just flat is laid out by projection, which shortens
+/// its sides by the square of that; a tenth keeps short sides within what a proof accepts.
+constexpr double kSplitFrom = 0.1 * kFlatness;
+
 using Triangles = std::vector<std::array<int, 3>>;  // corner indices within the face
 
 /// How well two triangles of a quad lie in one plane: the cosine between their normals.
@@ -36,7 +40,7 @@ class FaceSplitter {
     }
     copy_what_stays();
     for (const FaceId f : mesh.faces()) {
-      if (mesh.unevenness(f) > kFlatness) {
+      if (mesh.unevenness(f) > kSplitFrom) {
         split(f);
         ++result_.n_split;
       } else {

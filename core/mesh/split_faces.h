@@ -18,9 +18,9 @@ struct SplitFaces {
   int n_split = 0;  ///< faces of the mesh that were split
 };
 
-/// Splits faces that are not flat (unevenness over kFlatness) into triangles; the others keep their corners.
-/// Parts of a face follow each other in the face's place. A four-cornered face is split along the diagonal
-/// that bends less.
+/// Splits faces that are not flat into triangles, from a tenth of kFlatness on, so that a proof accepts what
+/// is kept; the others keep their corners. Parts of a face follow each other in the face's place. A
+/// four-cornered face is split along the diagonal that bends less.
 SplitFaces split_uneven_faces(const Mesh& mesh);
 
 }  // namespace netwright
