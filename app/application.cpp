@@ -36,6 +36,7 @@ Application::Application(Window& window, Session::Clock clock, std::filesystem::
   if (!settings_file_.empty()) ui_.settings = load_settings(settings_file_);
   saved_settings_ = ui_.settings;
   ui_.is_desktop_dark = desktop_prefers_dark();
+  ui_.is_motion_reduced = desktop_reduces_motion();
   session_.set_wake([this] { window_.wake(); });
   window_.set_title(window_title(session_));
 }

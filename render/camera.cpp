@@ -87,6 +87,25 @@ void OrbitCamera::zoom(double factor, glm::dvec2 pointer_px) {
 
 void OrbitCamera::centre_on(const glm::dvec3& point) { target_ = point; }
 
+void OrbitCamera::look_from(const glm::dvec3& outward) {
+  const double length = glm::length(outward);
+  if (!(length > 0)) return;
+  glm::dvec3 way = outward / length;
+  if (up_axis_ == UpAxis::Z) way = {way.x, way.z, -way.y};
+  pitch_rad_ = std::clamp(std::asin(std::clamp(way.y, -1.0, 1.0)), -kMostPitch, kMostPitch);
+  if (std::hypot(way.x, way.z) > 1e-9) yaw_rad_ = std::atan2(way.x, way.z);
+}
+
+OrbitCamera OrbitCamera::between(const OrbitCamera& from, const OrbitCamera& to, double t) {
+  OrbitCamera camera = to;
+  const double turn = std::remainder(to.yaw_rad_ - from.yaw_rad_, 2 * std::numbers::pi);
+  camera.yaw_rad_ = std::remainder(from.yaw_rad_ + turn * t, 2 * std::numbers::pi);
+  camera.pitch_rad_ = from.pitch_rad_ + (to.pitch_rad_ - from.pitch_rad_) * t;
+  camera.target_ = from.target_ + (to.target_ - from.target_) * t;
+  camera.distance_ = from.distance_ * std::pow(to.distance_ / from.distance_, t);
+  return camera;
+}
+
 glm::dvec3 OrbitCamera::eye() const { return target_ + axes()[2] * distance_; }
 
 glm::dmat4 OrbitCamera::view() const {

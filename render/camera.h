@@ -35,6 +35,10 @@ class OrbitCamera {
   void zoom(double factor, glm::dvec2 pointer_px);
   /// Turns about this point from now on and brings it to the middle.
   void centre_on(const glm::dvec3& point);
+  /// Stands on the side to which this direction points, at the same distance; zero changes nothing.
+  void look_from(const glm::dvec3& outward);
+  /// Part of the way from one view to another one, the shorter way round; t is 0…1.
+  static OrbitCamera between(const OrbitCamera& from, const OrbitCamera& to, double t);
 
   [[nodiscard]] glm::dvec3 eye() const;
   [[nodiscard]] const glm::dvec3& target() const { return target_; }

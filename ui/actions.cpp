@@ -130,6 +130,29 @@ void show_report(UiContext& c) {
   c.ui.is_open[static_cast<int>(Section::Model)] = true;
 }
 
+constexpr int kUsualFaces = 400;  ///< what scissors and an evening can cope with
+
+std::string needs_more_faces(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  if (c.session.n_faces_before_simplifying() <= kUsualFaces)
+    return "The model has no more than 400 faces as it is.";
+  return c.session.wanted_recipe().faces == kUsualFaces ? "The model is simplified to 400 faces already."
+                                                        : "";
+}
+
+std::string needs_simplified(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  return c.session.wanted_recipe().faces == 0 ? "The model has all its faces." : "";
+}
+
+void toggle_merging(UiContext& c) {
+  Recipe recipe = c.session.wanted_recipe();
+  recipe.merges = !recipe.merges;
+  c.session.set_recipe(recipe, recipe.merges ? "merge faces" : "keep faces apart");
+}
+
+bool is_merging(const UiContext& c) { return c.session.has_model() && c.session.wanted_recipe().merges; }
+
 template <bool Settings::*Flag>
 void toggle(UiContext& c) {
   c.ui.settings.*Flag = !(c.ui.settings.*Flag);
@@ -159,6 +182,13 @@ const auto kActions = std::to_array<Action>({
      [](UiContext& c) { c.session.redo(); }, nullptr, redo_label},
     {ActionId::ShowReport, "Show report", icon::kInfo, {}, "Says what is known about the model", needs_model,
      show_report, nullptr, nullptr},
+    {ActionId::MergeFaces, "Merge faces of one plane", icon::kFaces, {'M', 0},
+     "Neighbours that lie in one plane become one face: fewer folds, same shape", needs_model, toggle_merging,
+     is_merging, nullptr},
+    {ActionId::Simplify400, "Simplify to 400 faces", "", {}, "Brings the model to a size that can be glued",
+     needs_more_faces, [](UiContext& c) { c.session.simplify_to(kUsualFaces, false); }, nullptr, nullptr},
+    {ActionId::AllFaces, "All faces", "", {}, "Takes the simplification back", needs_simplified,
+     [](UiContext& c) { c.session.simplify_to(0, false); }, nullptr, nullptr},
     {ActionId::CentreFace, "Centre the face", icon::kFrame, {'C', 0}, "Brings the face to the middle of both views",
      needs_face, [](UiContext& c) { c.ui.wants_centre = chosen_face(c); }, nullptr, nullptr},
     {ActionId::ClearSelection, "Clear selection", "", {}, "Selects nothing", needs_selection,

@@ -14,8 +14,8 @@
 namespace netwright {
 namespace {
 
-constexpr std::array<const char*, 5> kTitles{"", "Open a model", "Export the net", "Keys and mouse",
-                                             "About Netwright"};
+constexpr std::array<const char*, 6> kTitles{
+    "", "Open a model", "Export the net", "Keys and mouse", "About Netwright", "Repair"};
 
 std::vector<std::string> readable_extensions() {
   std::vector<std::string> all;
@@ -65,6 +65,10 @@ void Dialogs::begin(UiContext& context) {
                     file_stem(context.session) + "." + ui.export_extension,
                     {ui.export_extension}});
   }
+  if (present_ == Dialog::Repair) {
+    ui.error.clear();
+    repair_height_ = 0;
+  }
   ImGui::OpenPopup(kTitles[static_cast<std::size_t>(present_)]);
 }
 
@@ -74,7 +78,7 @@ void Dialogs::finish(UiContext& context) {
   ImGui::CloseCurrentPopup();
 }
 
-bool Dialogs::begin_window(const UiState& ui, float width, float height) const {
+bool Dialogs::begin_window(const UiState& ui, float width, float height, const std::string& title) const {
   const ImVec2 room = ImGui::GetIO().DisplaySize;
   const ImVec2 size(std::min(ui.look.px(width), room.x - ui.look.px(32)),
                     std::min(ui.look.px(height), room.y - ui.look.px(32)));
@@ -83,15 +87,17 @@ bool Dialogs::begin_window(const UiState& ui, float width, float height) const {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.look.px(20), ui.look.px(16)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.look.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  const char* title = kTitles[static_cast<std::size_t>(present_)];
+  const char* name = kTitles[static_cast<std::size_t>(present_)];
   constexpr auto kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-  const bool is_open = ImGui::BeginPopupModal(title, nullptr, kFlags);
+  const bool is_open = ImGui::BeginPopupModal(name, nullptr, kFlags);
   ImGui::PopStyleVar(3);
   if (!is_open) return false;
   ImGui::PushFont(ui.look.fonts.title);
-  ImGui::TextUnformatted(title);
+  const std::string shown = shortened(title.empty() ? name : title, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(shown.c_str());
   ImGui::PopFont();
+  note_widget(ui, "dialog/title");
   ImGui::Dummy(ImVec2(0, ui.look.px(2)));
   return true;
 }
@@ -213,6 +219,8 @@ void Dialogs::draw_about(UiContext& context) {
 }
 
 void Dialogs::draw(UiContext& context) {
+  if (context.ui.dialog == Dialog::None && context.session.pending() != nullptr)
+    context.ui.dialog = Dialog::Repair;
   if (context.ui.dialog != Dialog::None && present_ == Dialog::None) begin(context);
   switch (present_) {
     case Dialog::None:
@@ -229,9 +237,13 @@ void Dialogs::draw(UiContext& context) {
     case Dialog::About:
       draw_about(context);
       break;
+    case Dialog::Repair:
+      draw_repair(context);
+      break;
   }
   // Closed from outside (Esc): ImGui took the popup down.
   if (present_ != Dialog::None && !ImGui::IsPopupOpen(kTitles[static_cast<std::size_t>(present_)])) {
+    if (present_ == Dialog::Repair) context.session.drop_pending();
     context.ui.dialog = present_ = Dialog::None;
   }
   is_cancelled_ = is_accepted_ = false;

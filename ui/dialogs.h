@@ -1,4 +1,5 @@
-// The modal dialogs: open a model, export, keys, about. Which one is up stands in UiState::dialog.
+// The modal dialogs: open a model, export, keys, about, and what to do with a broken file. Which one is up
+// stands in UiState::dialog.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +27,11 @@ class Dialogs {
   void draw_export(UiContext& context);
   void draw_keys(UiContext& context);
   void draw_about(UiContext& context);
-  bool begin_window(const UiState& ui, float width, float height) const;
+  // dialog_repair.cpp
+  void draw_repair(UiContext& context);
+  void draw_flattening(UiContext& context);
+  void draw_choices(UiContext& context, bool can_flatten);
+  bool begin_window(const UiState& ui, float width, float height, const std::string& title = "") const;
   /// What stands at the bottom: a notice at the left, Cancel (where there is something to cancel) and the
   /// main button at the right.
   struct Footer {
@@ -43,6 +48,7 @@ class Dialogs {
   bool is_cancelled_ = false;
   bool is_accepted_ = false;
   std::filesystem::path export_folder_;
+  float repair_height_ = 0;  ///< of the text about a broken file, as it was drawn last
 };
 
 /// The model's name as a file name: without folder and extension.

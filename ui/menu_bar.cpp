@@ -126,7 +126,11 @@ float draw_menu_bar(UiContext& context) {
   menu("File", [&] { file_menu(context); });
   menu("Edit", [&] { plain_menu(context, {ActionId::Undo, ActionId::Redo}); });
   menu("Model", [&] {
-    plain_menu(context, {ActionId::ShowReport, ActionId::CentreFace, ActionId::ClearSelection});
+    plain_menu(context, {ActionId::ShowReport});
+    ImGui::Separator();
+    plain_menu(context, {ActionId::MergeFaces, ActionId::Simplify400, ActionId::AllFaces});
+    ImGui::Separator();
+    plain_menu(context, {ActionId::CentreFace, ActionId::ClearSelection});
   });
   menu("Solve", [&] {
     plain_menu(context, {ActionId::Unfold, ActionId::Step, ActionId::Stop, ActionId::NewSeed,

@@ -2,8 +2,10 @@
 // changed.
 #include "ui/model_view.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "ui/widgets.h"
 
@@ -11,6 +13,12 @@ namespace netwright {
 namespace {
 
 constexpr double kShareOfView = 0.78;  ///< what a framed model fills; some room stays for turning it
+constexpr double kFlightSeconds = 0.18;
+constexpr double kLitShare = 0.3;     ///< of the view, filled by faces that are flown to
+constexpr double kMostMagnified = 4;  ///< against the framed model, so that one still sees where one is
+
+/// Starts slowly and arrives slowly.
+double eased(double t) { return t * t * (3 - 2 * t); }
 
 }  // namespace
 
@@ -18,15 +26,49 @@ void ModelView::follow_wishes(UiContext& context, const Scene& scene) {
   UiState& ui = context.ui;
   if (scene.dual() == nullptr) return;
   const Mesh& mesh = scene.dual()->mesh();
-  const bool is_new = model_version_ != scene.model_version();
+  const bool is_new = file_version_ != scene.file_version();
   if (is_new || ui.wants_home) {
     camera_.set_up_axis(mesh.up_axis());
     camera_.reset_direction();
   }
   if (is_new || ui.wants_frame_model) frame_model(camera_, mesh, kShareOfView);
-  model_version_ = scene.model_version();
+  file_version_ = scene.file_version();
   ui.wants_home = ui.wants_frame_model = false;
   if (ui.centre_now.is_valid()) camera_.centre_on(mesh.centre(ui.centre_now));
+  if (std::exchange(ui.wants_lit_in_view, false)) start_flight(ui, mesh);
+}
+
+void ModelView::start_flight(const UiState& ui, const Mesh& mesh) {
+  if (ui.lit_faces.empty()) return;
+  Box3 box;
+  glm::dvec3 outward(0);
+  for (const FaceId f : ui.lit_faces) {
+    for (const HalfedgeId h : mesh.halfedges(f)) box.add(mesh.position(h));
+    outward += mesh.normal(f) * mesh.area(f);
+  }
+  // Culprits all around have no side of their own: the first one, the worst, is shown then.
+  double total = 0;
+  for (const FaceId f : ui.lit_faces) total += mesh.area(f);
+  if (glm::length(outward) < 0.2 * total) outward = mesh.normal(ui.lit_faces.front());
+  OrbitCamera goal = camera_;
+  goal.look_from(outward);
+  frame_model(goal, mesh, kShareOfView);
+  const double share = box.diagonal() / std::max(mesh.box().diagonal(), 1e-300);
+  goal.centre_on(box.centre());
+  goal.zoom(std::clamp(kLitShare / std::max(share, 1e-9), 1.0, kMostMagnified), goal.size_px() * 0.5);
+  flight_.emplace(Flight{camera_, goal, ui.now});
+}
+
+void ModelView::fly(UiState& ui, const Gesture& gesture) {
+  if (!flight_) return;
+  if (gesture.drag_button >= 0 || gesture.wheel != 0) {  // the hand comes first
+    flight_.reset();
+    return;
+  }
+  const double t = ui.is_motion_reduced ? 1 : (ui.now - flight_->since) / kFlightSeconds;
+  camera_ = t >= 1 ? flight_->to : OrbitCamera::between(flight_->from, flight_->to, eased(std::max(t, 0.0)));
+  if (t >= 1) flight_.reset();
+  ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
 
 void ModelView::handle(UiContext& context, const Scene& scene, const Gesture& gesture) {
@@ -94,7 +136,9 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
   if (size.x < 1 || size.y < 1) return;
   camera_.set_size({size.x, size.y});
   follow_wishes(context, scene);
-  handle(context, scene, picture_gesture(ui, "model/picture", size));
+  const Gesture gesture = picture_gesture(ui, "model/picture", size);
+  fly(ui, gesture);
+  handle(context, scene, gesture);
   PictureKey key;
   key.add(camera_)
       .add(scene.model_version())

@@ -2,6 +2,8 @@
 // double-click centres a face in both views.
 #pragma once
 
+#include <optional>
+
 #include "render/camera.h"
 #include "ui/scene.h"
 #include "ui/view_parts.h"
@@ -16,12 +18,22 @@ class ModelView {
 
  private:
   void follow_wishes(UiContext& context, const Scene& scene);
+  /// Turns the camera to the lit faces, on a short flight.
+  void start_flight(const UiState& ui, const Mesh& mesh);
+  void fly(UiState& ui, const Gesture& gesture);
   void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
   void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
   void draw_axes(const UiState& ui, const Mesh& mesh, ImVec2 corner, ImVec2 size) const;
 
+  struct Flight {
+    OrbitCamera from;
+    OrbitCamera to;
+    double since;  ///< on the clock of UiState::now
+  };
+
   OrbitCamera camera_;
-  std::uint64_t model_version_ = 0;
+  std::optional<Flight> flight_;
+  std::uint64_t file_version_ = 0;
 };
 
 }  // namespace netwright

@@ -37,7 +37,8 @@ void draw_empty_desk(const UiState& ui, const ImVec2& corner, const ImVec2& size
 void NetView::follow_net(UiContext& context, const Scene& scene) {
   UiState& ui = context.ui;
   const Net* net = scene.net();
-  if (model_version_ != scene.model_version()) is_moved_by_user_ = false;
+  if (file_version_ != scene.file_version()) is_moved_by_user_ = false;
+  file_version_ = scene.file_version();
   const bool is_asked = ui.wants_frame_net;
   ui.wants_frame_net = false;
   if (is_asked) is_moved_by_user_ = false;

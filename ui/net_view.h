@@ -22,6 +22,7 @@ class NetView {
   PanZoomCamera camera_;
   bool is_moved_by_user_ = false;  ///< then nets are no longer framed by themselves
   bool is_panning_ = false;        ///< a left drag that began on the empty desk
+  std::uint64_t file_version_ = 0;
   std::uint64_t model_version_ = 0;
   std::uint64_t version_ = 0;
   bool was_on_pages_ = false;

@@ -1,4 +1,8 @@
-// What is known about the model, line by line as the report has it; notices and problems carry a sign.
+// What is known about the model, line by line as the report has it; notices and problems carry a sign. A line
+// that is about certain faces is a button: it lights them in both views and turns the model to them.
+#include <algorithm>
+#include <unordered_set>
+
 #include "assets/icons.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -6,19 +10,82 @@
 namespace netwright {
 namespace {
 
-void report_line(const UiState& ui, const MeshReport::Line& line) {
-  const bool is_fact = line.kind == MeshReport::Line::Kind::Fact;
-  const float left = ImGui::GetCursorPosX();
-  if (!is_fact) {
-    const bool is_problem = line.kind == MeshReport::Line::Kind::Problem;
-    ImGui::PushStyleColor(ImGuiCol_Text, is_problem ? ui.look.colours.bad : ui.look.colours.muted);
-    ImGui::TextUnformatted(is_problem ? icon::kError : icon::kInfo);
-    ImGui::PopStyleColor();
-    ImGui::SameLine(left + ui.look.px(24));
+/// The faces of the mesh that were made of these faces of the file, in the mesh's order; the one made of the
+/// first culprit, the worst, comes first.
+std::vector<FaceId> faces_made_of(const Mesh& mesh, const std::vector<int>& culprits) {
+  const std::unordered_set<int> wanted(culprits.begin(), culprits.end());
+  std::vector<FaceId> found;
+  for (const FaceId f : mesh.faces())
+    if (wanted.contains(mesh.face_source(f))) found.push_back(f);
+  const auto is_worst = [&](FaceId f) { return mesh.face_source(f) == culprits.front(); };
+  std::stable_partition(found.begin(), found.end(), is_worst);
+  return found;
+}
+
+void light(UiContext& context, std::size_t index, const MeshReport::Line& line) {
+  UiState& ui = context.ui;
+  const bool was_lit = ui.lit_line == index;
+  ui.lit_line.reset();
+  ui.lit_faces.clear();
+  if (was_lit) return;
+  ui.lit_line = index;
+  ui.lit_faces = faces_made_of(context.session.project().dual->mesh(), line.faces);
+  ui.wants_lit_in_view = true;
+}
+
+/// The sign at the left, if the line has one.
+void draw_sign(const UiState& ui, const MeshReport::Line& line, ImVec2 at) {
+  if (line.kind == MeshReport::Line::Kind::Fact) return;
+  const bool is_problem = line.kind == MeshReport::Line::Kind::Problem;
+  ImGui::GetWindowDrawList()->AddText(at, is_problem ? ui.look.colours.bad : ui.look.colours.muted,
+                                      is_problem ? icon::kError : icon::kInfo);
+}
+
+void report_line(UiContext& context, std::size_t index, const MeshReport::Line& line) {
+  const UiState& ui = context.ui;
+  const Look& look = ui.look;
+  const bool can_light = !line.faces.empty();
+  const bool is_lit = ui.lit_line == index;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x - look.px(16) - (can_light ? look.px(24) : 0);
+  const float indent = line.kind == MeshReport::Line::Kind::Fact ? 0 : look.px(24);
+  const ImVec2 text = ImGui::CalcTextSize(line.text.c_str(), nullptr, false, room - indent);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x - look.px(16), text.y);
+  const std::string name = "report/" + std::string(topic_name(line.topic));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (can_light) {
+    ImGui::PushID(static_cast<int>(index));
+    if (ImGui::InvisibleButton(name.c_str(), size)) light(context, index, line);
+    ImGui::PopID();
+    const ImVec2 edge(look.px(8), look.px(3));
+    const ImU32 back = is_lit ? look.colours.tint : (ImGui::IsItemHovered() ? look.colours.hover : 0);
+    if (back != 0) {
+      draw.AddRectFilled(ImVec2(min.x - edge.x, min.y - edge.y),
+                         ImVec2(min.x + size.x + edge.x, min.y + size.y + edge.y), back, look.px(4));
+    }
+    draw.AddText(ImVec2(min.x + size.x - look.px(15), min.y),
+                 is_lit ? look.colours.on_tint : look.colours.muted, icon::kVisible);
+  } else {
+    ImGui::Dummy(size);
   }
-  ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - ui.look.px(16));
-  ImGui::TextUnformatted(line.text.c_str());
-  ImGui::PopTextWrapPos();
+  note_widget(ui, name);
+  if (can_light) tooltip(ui, is_lit ? "Stop showing" : "Show on the model");
+  draw_sign(ui, line, min);
+  draw.AddText(nullptr, 0, ImVec2(min.x + indent, min.y), look.colours.text, line.text.c_str(), nullptr,
+               room - indent);
+}
+
+/// What was done to the file's faces.
+void done_lines(const UiContext& context) {
+  const UiState& ui = context.ui;
+  for (const std::string& sentence : context.session.project().made->done) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddText(at, ui.look.colours.good, icon::kDone);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.look.px(24));
+    ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - ui.look.px(16));
+    text_muted(ui, sentence);
+    ImGui::PopTextWrapPos();
+  }
 }
 
 }  // namespace
@@ -30,10 +97,12 @@ void panel_model(UiContext& context) {
     text_muted(ui, "Open a model to see its report.");
     return;
   }
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), ui.look.px(4)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), ui.look.px(6)));
   ImGui::Dummy(ImVec2(0, 0));
-  for (const MeshReport::Line& line : report->lines) report_line(ui, line);
+  for (std::size_t i = 0; i < report->lines.size(); ++i) report_line(context, i, report->lines[i]);
+  done_lines(context);
   ImGui::PopStyleVar();
+  panel_faces(context);
 }
 
 }  // namespace netwright

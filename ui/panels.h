@@ -11,6 +11,8 @@ namespace netwright {
 void side_panel(UiContext& context);
 
 void panel_model(UiContext& context);
+/// How many faces: part of the model's section.
+void panel_faces(UiContext& context);
 void panel_solve(UiContext& context);
 void panel_paper(UiContext& context);
 

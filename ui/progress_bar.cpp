@@ -58,7 +58,7 @@ void draw_progress(UiContext& context) {
     work = search_work(context);
   } else if (const auto chore = context.session.chore(); chore != nullptr) {
     const std::string percent = std::to_string(std::lround(chore->fraction() * 100)) + " %";
-    const bool can_stop = context.session.state() == RunState::Opening;
+    const bool can_stop = context.session.state() == RunState::Opening || context.session.is_making();
     work = {chore->phase(), "", percent, chore->fraction(), can_stop};
   }
   const ImVec2 min = ImGui::GetCursorScreenPos();

@@ -96,6 +96,10 @@ void Scene::mark_faces(const UiContext& context) {
   const UiState& ui = context.ui;
   states_.add(ui.hovered, FaceState::Hovered);
   states_.add(ui.selected, FaceState::Selected);
+  for (const FaceId face : ui.lit_faces) {
+    states_.add(face, FaceState::Hovered);
+    states_.add(face, FaceState::Selected);
+  }
   if (ui.settings.show_root) {
     states_.add(context.session.project().pinned_root, FaceState::Root);
     if (shown_ != nullptr) {
@@ -119,7 +123,14 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     ++model_version_;
     renderers.mesh.set_model(dual_);
     model_picker_.set_model(dual_);
-    context.ui.hovered = context.ui.selected = FaceId();
+    UiState& ui = context.ui;
+    ui.hovered = ui.selected = FaceId();
+    ui.lit_line.reset();
+    ui.lit_faces.clear();
+  }
+  if (const auto& source = context.session.project().source; source != source_) {
+    source_ = source;
+    ++file_version_;
   }
   take_net(context, renderers);
   mark_faces(context);

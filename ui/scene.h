@@ -39,8 +39,10 @@ class Scene {
   [[nodiscard]] bool is_on_pages() const { return paged_ != nullptr; }
   /// Changes whenever the net, its pages or its overlaps do.
   [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// Counts the models shown so far: a new one is framed.
+  /// Changes with every mesh, also when one file is made into another mesh.
   [[nodiscard]] std::uint64_t model_version() const { return model_version_; }
+  /// Counts the files shown so far: a new one is framed.
+  [[nodiscard]] std::uint64_t file_version() const { return file_version_; }
   [[nodiscard]] const FaceStates& states() const { return states_; }
   [[nodiscard]] const ModelPicker& model_picker() const { return model_picker_; }
   [[nodiscard]] const NetPicker& net_picker() const { return net_picker_; }
@@ -50,6 +52,7 @@ class Scene {
   void mark_faces(const UiContext& context);
   void place();
 
+  std::shared_ptr<const PolygonSoup> source_;
   std::shared_ptr<const DualGraph> dual_;
   std::shared_ptr<const ShownNet> shown_;
   std::unique_ptr<const PagedNet> paged_;
@@ -57,6 +60,7 @@ class Scene {
   Box2 net_box_;
   std::uint64_t version_ = 1;
   std::uint64_t model_version_ = 0;
+  std::uint64_t file_version_ = 0;
   FaceStates states_;
   ModelPicker model_picker_;
   NetPicker net_picker_;

@@ -116,6 +116,31 @@ std::string duration_text(double seconds) {
   return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
 }
 
+std::string length_text(double millimetres) {
+  if (millimetres < 0.005) return "under 0.01 mm";
+  if (millimetres < 0.095) return number_text("%.2f mm", millimetres);
+  if (millimetres < 9.95) return number_text("%.1f mm", millimetres);
+  return grouped(std::llround(millimetres)) + " mm";
+}
+
+std::string faces_text(std::int64_t faces, std::int64_t all) {
+  return faces == all ? counted(all, "face", "faces")
+                      : grouped(faces) + " of " + counted(all, "face", "faces");
+}
+
+int faces_of_slider(double t, int fewest, int all) {
+  if (t >= 1 || fewest >= all) return all;
+  return static_cast<int>(
+      std::lround(fewest * std::pow(static_cast<double>(all) / fewest, std::clamp(t, 0.0, 1.0))));
+}
+
+double slider_of_faces(int faces, int fewest, int all) {
+  if (fewest >= all) return 1;
+  const double share = std::log(static_cast<double>(std::max(faces, 1)) / fewest) /
+                       std::log(static_cast<double>(all) / fewest);
+  return std::clamp(share, 0.0, 1.0);
+}
+
 std::string speed_text(double moves_per_second) {
   if (std::isinf(moves_per_second)) return "full speed";
   if (moves_per_second < 1.5) return "one move a second";

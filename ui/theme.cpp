@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "assets/assets.h"
 #include "assets/icons.h"
@@ -107,18 +109,32 @@ void set_controls(ImVec4* c, const Colours& look) {
   c[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, look.is_dark ? 0.5F : 0.25F);
 }
 
-bool says_dark(const std::filesystem::path& file) {
+/// Lines without blanks, in small letters.
+std::vector<std::string> plain_lines(const std::filesystem::path& file) {
   std::ifstream in(file);
-  std::string line;
-  while (std::getline(in, line)) {
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) {
     std::transform(line.begin(), line.end(), line.begin(),
                    [](unsigned char ch) { return static_cast<char>(std::tolower(ch)); });
     line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
-    if (line == "gtk-application-prefer-dark-theme=1" || line == "gtk-application-prefer-dark-theme=true")
-      return true;
-    if (line.starts_with("gtk-theme-name=") && line.ends_with("dark")) return true;
+    lines.push_back(std::move(line));
   }
-  return false;
+  return lines;
+}
+
+/// Of GTK 4 and GTK 3.
+std::vector<std::string> desktop_settings() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  const char* home = std::getenv("HOME");
+  std::filesystem::path folder;
+  if (config != nullptr && *config != 0) {
+    folder = config;
+  } else if (home != nullptr) {
+    folder = std::filesystem::path(home) / ".config";
+  }
+  std::vector<std::string> lines = plain_lines(folder / "gtk-4.0/settings.ini");
+  std::ranges::copy(plain_lines(folder / "gtk-3.0/settings.ini"), std::back_inserter(lines));
+  return lines;
 }
 
 }  // namespace
@@ -147,15 +163,17 @@ Colours colours_of(bool is_dark) {
 bool desktop_prefers_dark() {
   const char* forced = std::getenv("GTK_THEME");
   if (forced != nullptr && *forced != 0) return std::string_view(forced).ends_with("dark");
-  const char* config = std::getenv("XDG_CONFIG_HOME");
-  const char* home = std::getenv("HOME");
-  std::filesystem::path folder;
-  if (config != nullptr && *config != 0) {
-    folder = config;
-  } else if (home != nullptr) {
-    folder = std::filesystem::path(home) / ".config";
-  }
-  return says_dark(folder / "gtk-4.0/settings.ini") || says_dark(folder / "gtk-3.0/settings.ini");
+  return std::ranges::any_of(desktop_settings(), [](const std::string& line) {
+    return line == "gtk-application-prefer-dark-theme=1" ||
+           line == "gtk-application-prefer-dark-theme=true" ||
+           (line.starts_with("gtk-theme-name=") && line.ends_with("dark"));
+  });
+}
+
+bool desktop_reduces_motion() {
+  return std::ranges::any_of(desktop_settings(), [](const std::string& line) {
+    return line == "gtk-enable-animations=0" || line == "gtk-enable-animations=false";
+  });
 }
 
 Fonts load_fonts(float scale) {

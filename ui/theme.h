@@ -51,6 +51,9 @@ Colours colours_of(bool is_dark);
 /// Does the desktop ask for dark windows? Read from GTK's settings; false when nothing is said.
 bool desktop_prefers_dark();
 
+/// Does the desktop ask for no animations? From the same settings; false when nothing is said.
+bool desktop_reduces_motion();
+
 /// Fills the font atlas of the present ImGui context for a scale; all figures of a font become equally wide.
 /// The window uploads the texture afterwards.
 Fonts load_fonts(float scale);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@
 
 namespace netwright {
 
-enum class Dialog { None, Open, Export, Keys, About };
+enum class Dialog { None, Open, Export, Keys, About, Repair };
 enum class Section { Model, Solve, Paper };
 
 struct Toast {
@@ -30,13 +31,17 @@ struct UiState {
   Settings settings;
   WidgetLog* widgets = nullptr;
   bool is_desktop_dark = false;
+  bool is_motion_reduced = false;  ///< the desktop asks for it: nothing flies
 
   double now = 0;                 ///< seconds, set by the application before each frame
   double chore_since = 0;         ///< when the chore in hand began
   bool has_room_for_side = true;  ///< a narrow window belongs to the views
   FaceId hovered;                 ///< under the pointer, in whichever view
   FaceId selected;                ///< clicked
-  std::string hint;               ///< what the thing under the pointer does; rebuilt every frame
+  /// The line of the model's report whose culprits are lit in both views, and these; gone with the mesh.
+  std::optional<std::size_t> lit_line;
+  std::vector<FaceId> lit_faces;
+  std::string hint;  ///< what the thing under the pointer does; rebuilt every frame
 
   bool is_open[3] = {false, true, true};  ///< by Section
   Dialog dialog = Dialog::None;
@@ -54,6 +59,7 @@ struct UiState {
   bool wants_home = false;
   FaceId wants_centre;  ///< becomes centre_now at the next frame, for both views alike
   FaceId centre_now;
+  bool wants_lit_in_view = false;  ///< fly to lit_faces
   bool wants_quit = false;
   bool wants_new_fonts = false;  ///< scale changed
   int frames_wanted = 0;         ///< more frames to draw although nothing happens

@@ -153,11 +153,14 @@ float row(const UiState& ui, const char* label) {
   return width;
 }
 
-bool slim_slider(const UiState& ui, const std::string& name, float width, float& t, const std::string& tip) {
+bool slim_slider(const UiState& ui, const std::string& name, float width, float& t, const std::string& tip,
+                 bool is_enabled) {
   const Look& look = ui.look;
   const ImVec2 min = ImGui::GetCursorScreenPos();
+  if (!is_enabled) ImGui::BeginDisabled();
   ImGui::InvisibleButton(name.c_str(), ImVec2(width, look.px(32)));
   note_widget(ui, name);
+  if (!is_enabled) ImGui::EndDisabled();
   const float radius = look.px(7);
   const float left = min.x + radius;
   const float length = width - 2 * radius;
@@ -173,12 +176,52 @@ bool slim_slider(const UiState& ui, const std::string& name, float width, float&
   const float thick = look.px(2);
   const Colours& c = look.colours;
   draw.AddRectFilled(ImVec2(left, y - thick), ImVec2(left + length, y + thick), c.border, thick);
-  draw.AddRectFilled(ImVec2(left, y - thick), ImVec2(x, y + thick), c.accent, thick);
+  draw.AddRectFilled(ImVec2(left, y - thick), ImVec2(x, y + thick), is_enabled ? c.accent : c.border, thick);
   const bool is_hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
-  draw.AddCircleFilled(ImVec2(x, y), radius, is_hot ? c.accent_hover : c.accent, 24);
+  const ImU32 knob = is_hot ? c.accent_hover : c.accent;
+  draw.AddCircleFilled(ImVec2(x, y), radius, is_enabled ? knob : c.faint, 24);
   draw.AddCircle(ImVec2(x, y), radius - look.px(2), c.bar, 24, look.px(1.5F));
   tooltip(ui, tip);
   return is_changed;
+}
+
+bool checkbox(const UiState& ui, const std::string& name, const std::string& label, bool& is_on,
+              const std::string& tip) {
+  const Look& look = ui.look;
+  const Colours& c = look.colours;
+  const float side = look.px(18);
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float text_left = side + look.px(8);
+  const ImVec2 size(text_left + ImGui::CalcTextSize(label.c_str()).x, look.px(28));
+  const bool is_clicked = ImGui::InvisibleButton(name.c_str(), size);
+  note_widget(ui, name);
+  tooltip(ui, tip);
+  if (is_clicked) is_on = !is_on;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 box(min.x, std::floor(min.y + (size.y - side) / 2));
+  const ImVec2 end(box.x + side, box.y + side);
+  const bool is_hot = ImGui::IsItemHovered();
+  draw.AddRectFilled(box, end, is_on ? (is_hot ? c.accent_hover : c.accent) : c.field, look.px(4));
+  if (!is_on) draw.AddRect(box, end, is_hot ? c.accent : c.muted, look.px(4));
+  if (is_on) {
+    const ImVec2 sign = ImGui::CalcTextSize(icon::kDone);
+    draw.AddText(ImVec2(std::floor(box.x + (side - sign.x) / 2), std::floor(box.y + (side - sign.y) / 2)),
+                 c.on_accent, icon::kDone);
+  }
+  const float y = std::floor(min.y + (size.y - ImGui::GetTextLineHeight()) / 2);
+  draw.AddText(ImVec2(min.x + text_left, y), c.text, label.c_str());
+  return is_clicked;
+}
+
+void progress_line(const UiState& ui, float width, double fraction) {
+  const Look& look = ui.look;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float thick = look.px(4);
+  const float at = width * static_cast<float>(std::clamp(fraction, 0.0, 1.0));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, ImVec2(min.x + width, min.y + thick), look.colours.border, thick / 2);
+  draw.AddRectFilled(min, ImVec2(min.x + at, min.y + thick), look.colours.accent, thick / 2);
+  ImGui::Dummy(ImVec2(width, thick));
 }
 
 bool segments(const UiState& ui, const std::string& name, float width, const std::vector<std::string>& labels,

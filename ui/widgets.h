@@ -41,7 +41,15 @@ bool section_header(const UiState& ui, const std::string& title, const std::stri
 float row(const UiState& ui, const char* label);
 
 /// A slider with a thin track; t is 0…1. True while it is changed.
-bool slim_slider(const UiState& ui, const std::string& name, float width, float& t, const std::string& tip);
+bool slim_slider(const UiState& ui, const std::string& name, float width, float& t, const std::string& tip,
+                 bool is_enabled = true);
+
+/// A box with a tick and its label. True when it was clicked; `is_on` is the new state then.
+bool checkbox(const UiState& ui, const std::string& name, const std::string& label, bool& is_on,
+              const std::string& tip);
+
+/// A thin bar, filled up to the fraction; as tall as a slider's track.
+void progress_line(const UiState& ui, float width, double fraction);
 
 /// Choices side by side, one of them on. True when another one was picked.
 bool segments(const UiState& ui, const std::string& name, float width, const std::vector<std::string>& labels,

@@ -199,10 +199,14 @@ std::string Session::redo_label() const {
 }
 
 void Session::undo() {
+  const bool is_first_change = impl_->chore_making && !impl_->making.continues_step;
+  impl_->cancel_making();
+  if (is_first_change) return;  // what was asked for last has not come yet: it never will
   if (can_undo()) impl_->move_in_history(&History::undo);
 }
 
 void Session::redo() {
+  impl_->cancel_making();
   if (can_redo()) impl_->move_in_history(&History::redo);
 }
 

@@ -82,9 +82,14 @@ class Session {
   // How the mesh is made of the file; each change is one undo step with a name, made as a chore on the
   // worker. A net of the old mesh goes, a running search starts again on the new one.
   [[nodiscard]] const Recipe& recipe() const { return project().recipe; }
+  /// A mesh is being made, for pending() or by a new recipe; chore() tells how far it is, cancel_opening()
+  /// gives it up.
+  [[nodiscard]] bool is_making() const;
+  /// The recipe as it will be when the chore in hand is done: what switches and sliders should show.
+  [[nodiscard]] Recipe wanted_recipe() const;
   void set_recipe(const Recipe& recipe, const std::string& label);  ///< label as in "Undo <label>"
   /// The simplify slider: at most so many faces, 0 = all. While `is_dragging`, every new mesh is unfolded at
-  /// once, and the whole drag is one undo step.
+  /// once, the latest wish waits until the mesh in hand is shown, and the whole drag is one undo step.
   void simplify_to(int faces, bool is_dragging);
   /// Faces before simplifying, 0 without a model.
   [[nodiscard]] int n_faces_before_simplifying() const;

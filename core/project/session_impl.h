@@ -77,6 +77,7 @@ struct Session::Impl {
   void open(ModelSource source);
   void adopt(const OpenedModel& model, const Recipe& recipe, std::shared_ptr<const MadeModel> made);
   void make(Making wanted);
+  void cancel_making();
   void derive_again();  ///< after every change of the project
   void export_to(const std::filesystem::path& path);
 
@@ -111,7 +112,8 @@ struct Session::Impl {
   std::optional<Waiting> waiting;
   std::shared_ptr<Chore<Made>> chore_making;
   Making making;
-  bool is_dragging = false;  ///< the simplify slider is held
+  std::optional<Making> queued;  ///< the slider's latest wish; the mesh in hand is shown first
+  bool is_dragging = false;      ///< the simplify slider is held
   std::shared_ptr<Chore<Derived>> deriving;
   std::vector<std::shared_ptr<Chore<Message>>> exports;
 

@@ -216,7 +216,13 @@ void Session::Impl::accept(const SolveResult& result, const RunSummary& summary)
   }
   settled = stamp(std::make_shared<ShownNet>(
       make_shown_net(layout(project().dual, result.net.tree), result.overlaps, true)));
-  edit("unfold", accept_tree(project(), result.net.tree, summary));
+  Project next = accept_tree(project(), result.net.tree, summary);
+  if (making.continues_step && (is_dragging || chore_making)) {  // still one gesture, and one undo step
+    history.amend(std::move(next));
+    derive_again();
+  } else {
+    edit("unfold", std::move(next));
+  }
 }
 
 void Session::Impl::show_unfinished(const SolveResult& result) {

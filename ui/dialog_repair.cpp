@@ -1,0 +1,128 @@
+// What to do with a file that cannot be unfolded as it is: what is wrong, what repairing would do, and the
+// three ways on. Nothing is repaired without this question.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "assets/icons.h"
+#include "ui/actions.h"
+#include "ui/dialogs.h"
+#include "ui/status.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+constexpr float kWidth = 600;
+constexpr float kFrameHeight = 138;  ///< title, footer and margins
+constexpr float kLeastHeight = 220;
+
+void heading(const UiState& ui, const char* text) {
+  ImGui::Dummy(ImVec2(0, ui.look.px(4)));
+  ImGui::PushFont(ui.look.fonts.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+void sentence(const UiState& ui, const char* sign, ImU32 colour, const std::string& text) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddText(at, colour, sign);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.look.px(24));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+std::string before_and_after(int before, int after) {
+  return before == after ? "It stays at " + counted(after, "face", "faces") + "."
+                         : counted(before, "face", "faces") + " before, " + grouped(after) + " after.";
+}
+
+void describe(const UiState& ui, const Session::Pending& pending) {
+  const Colours& colours = ui.look.colours;
+  if (!ui.error.empty()) sentence(ui, icon::kError, colours.bad, ui.error);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(pending.refusal.c_str());
+  ImGui::PopTextWrapPos();
+  note_widget(ui, "repair/refusal");
+  heading(ui, "What is wrong");
+  for (const MeshReport::Line& line : pending.report.lines) {
+    if (line.kind != MeshReport::Line::Kind::Problem || line.text == pending.refusal) continue;
+    sentence(ui, icon::kError, colours.bad, line.text);
+    note_widget(ui, "repair/" + std::string(topic_name(line.topic)));
+  }
+  heading(ui, "What repairing does");
+  for (const std::string& repair : pending.repairs) sentence(ui, icon::kDone, colours.good, repair);
+  text_muted(ui, before_and_after(pending.report.n_faces, pending.n_faces_repaired));
+  note_widget(ui, "repair/faces");
+}
+
+}  // namespace
+
+void Dialogs::draw_flattening(UiContext& context) {
+  const UiState& ui = context.ui;
+  const auto chore = context.session.chore();
+  const double fraction = chore == nullptr ? 0 : chore->fraction();
+  const float bottom = ImGui::GetWindowHeight() - ui.look.px(48);
+  ImGui::SetCursorPos(ImVec2(ui.look.px(20), bottom));
+  text_small(ui, "Flattening faces… " + std::to_string(std::lround(fraction * 100)) + " %");
+  ImGui::SetCursorPos(ImVec2(ui.look.px(20), bottom + ui.look.px(22)));
+  progress_line(ui, ui.look.px(200), fraction);
+  note_widget(ui, "repair/progress");
+  // Giving up the work is not giving up the file: Esc leads back to the question.
+  const bool is_escaped = std::exchange(is_cancelled_, false);
+  is_accepted_ = false;
+  if (footer(context, {"Stop", true, false}) || is_escaped) context.session.cancel_opening();
+}
+
+void Dialogs::draw_choices(UiContext& context, bool can_flatten) {
+  UiState& ui = context.ui;
+  Session& session = context.session;
+  if (can_flatten) {
+    ButtonSpec flatten{"repair/flatten", "Flatten faces instead"};
+    flatten.kind = ButtonKind::Outlined;
+    flatten.tip = "Moves corners until every face is flat, so that none has to be split into triangles";
+    ImGui::SetCursorPos(ImVec2(ui.look.px(20), ImGui::GetWindowHeight() - ui.look.px(48)));
+    if (button(ui, flatten)) {
+      ui.error.clear();
+      session.flatten_pending();
+    }
+  }
+  const bool is_accepted = footer(context, {"Repair"});
+  const bool is_cancelled = present_ == Dialog::None;
+  if (is_cancelled) {
+    session.drop_pending();
+    ui.error.clear();
+  } else if (is_accepted) {
+    session.repair_pending();
+  }
+}
+
+void Dialogs::draw_repair(UiContext& context) {
+  UiState& ui = context.ui;
+  const Session::Pending* pending = context.session.pending();
+  const std::string title = pending == nullptr ? " " : pending->name + " needs repair";
+  const float height = std::max(repair_height_ / ui.look.scale + kFrameHeight, kLeastHeight);
+  if (!begin_window(ui, kWidth, height, title)) return;
+  if (pending != nullptr) {
+    ImGui::BeginChild("about", ImVec2(0, ImGui::GetContentRegionAvail().y - ui.look.px(44)));
+    const float top = ImGui::GetCursorPosY();
+    describe(ui, *pending);
+    const float drawn = ImGui::GetCursorPosY() - top;
+    if (drawn != repair_height_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
+    repair_height_ = drawn;
+    ImGui::EndChild();
+    if (context.session.is_making()) {
+      draw_flattening(context);
+    } else {
+      draw_choices(context, pending->can_flatten);
+    }
+  }
+  if (present_ == Dialog::Repair && context.session.pending() == nullptr) {
+    ui.is_open[static_cast<int>(Section::Model)] = true;  // where one reads what was done
+    finish(context);
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace netwright
