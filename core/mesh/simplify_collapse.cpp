@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "core/mesh/simplify_crossing.h"
+#include "core/mesh/simplify_guards.h"
 #include "core/mesh/simplify_looks.h"
 #include "core/mesh/simplify_quadric.h"
 #include "core/mesh/simplify_surface.h"
@@ -25,29 +26,10 @@ constexpr double kSpread = 1e-5;
 constexpr double kBorderWeight = 4.0;
 constexpr double kSeamWeight = 0.5;
 
-/// What a collapse must leave of the faces around it. When nothing more is possible the next, weaker limits
-/// are tried; the last ones still refuse what Mesh would refuse and what turns over.
-struct Limits {
-  double turn_cosine;  ///< of each face's normal, before to after
-  double shape;        ///< 1 for an equilateral triangle, 0 for none
-  double fold_cosine;  ///< between the normals of neighbours, unless they were folded more before
-};
+// When nothing more is possible the next, weaker limits are tried. The last ones still refuse what Mesh would
+// refuse and what turns over.
 constexpr std::array<Limits, 4> kLimits{
     {{0.4, 0.08, -0.8}, {0.2, 0.03, -0.9}, {0.05, 0.01, -0.97}, {0.0, 0.002, -0.995}}};
-
-double shape_of(const std::array<glm::dvec3, 3>& p) {
-  const glm::dvec3 a = p[1] - p[0];
-  const glm::dvec3 b = p[2] - p[1];
-  const glm::dvec3 c = p[0] - p[2];
-  const double squares = glm::dot(a, a) + glm::dot(b, b) + glm::dot(c, c);
-  return squares > 0 ? 3.4641016151377544 * glm::length(glm::cross(a, b)) / squares : 0;
-}
-
-glm::dvec3 unit_normal(const std::array<glm::dvec3, 3>& p) {
-  const glm::dvec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
-  const double length = glm::length(n);
-  return length > 0 ? n / length : glm::dvec3(0);
-}
 
 class Collapser {
  public:
@@ -92,9 +74,6 @@ class Collapser {
   void push(HalfedgeId h);
   bool refill();
   bool is_good(HalfedgeId h, const glm::dvec3& place);
-  void gather_ring(HalfedgeId h, const glm::dvec3& place);
-  [[nodiscard]] bool ring_keeps_shape() const;
-  [[nodiscard]] bool ring_stays_unfolded(HalfedgeId h, const glm::dvec3& place) const;
   void collapse(HalfedgeId h, const glm::dvec3& place);
   void record(HalfedgeId h, const glm::dvec3& place);
   void break_polygons(VertexId v);
@@ -259,75 +238,11 @@ void Collapser::push(HalfedgeId h) {
 
 // When the queue has run dry: all edges once more, with weaker limits when the last round changed nothing.
 bool Collapser::refill() {
-  if (history_.n_steps == steps_at_refill_ && history_.n_steps > 0) {
-    if (stage_ + 1 == kLimits.size()) return false;
-    ++stage_;
-  } else if (history_.n_steps == 0 && steps_at_refill_ == 0) {
-    if (stage_ + 1 == kLimits.size()) return false;
-    ++stage_;
-  }
+  if (history_.n_steps == steps_at_refill_ && ++stage_ == kLimits.size()) return false;
   steps_at_refill_ = history_.n_steps;
   for (const HalfedgeId h : s_.from.ids())
     if (s_.is_dead[s_.face(h)] == 0 && canonical(h) == h) push(h);
-  return !queue_.empty();
-}
-
-void Collapser::gather_ring(HalfedgeId h, const glm::dvec3& place) {
-  ring_.clear();
-  const HalfedgeId t = s_.twin[h];
-  for (const VertexId v : {s_.from[h], s_.to(h)}) {
-    s_.for_each_out(v, [&](HalfedgeId k) {
-      const FaceId f = s_.face(k);
-      if (f == s_.face(h) || (t.is_valid() && f == s_.face(t))) return;
-      RingFace face{.face = f, .moved = k, .before = s_.corners(f), .after = {}};
-      face.after = face.before;
-      face.after[static_cast<std::size_t>(k.value % 3)] = place;
-      ring_.push_back(face);
-    });
-  }
-}
-
-bool Collapser::ring_keeps_shape() const {
-  const Limits& limits = kLimits[stage_];
-  double worst_before = 1;
-  for (const RingFace& r : ring_) worst_before = std::min(worst_before, shape_of(r.before));
-  const double least = std::min(limits.shape, worst_before);
-  return std::ranges::all_of(ring_, [&](const RingFace& r) {
-    return shape_of(r.after) >= least &&
-           glm::dot(unit_normal(r.before), unit_normal(r.after)) >= limits.turn_cosine;
-  });
-}
-
-// No two neighbours may come to lie nearly back to back, inside the ring or across its rim.
-bool Collapser::ring_stays_unfolded(HalfedgeId h, const glm::dvec3& place) const {
-  double before = 1;
-  double after = 1;
-  const VertexId a = s_.from[h];
-  const VertexId b = s_.to(h);
-  const auto moved_normal = [&](FaceId f) {
-    auto p = s_.corners(f);
-    for (const HalfedgeId k : s_.halfedges(f))
-      if (s_.from[k] == a || s_.from[k] == b) p[static_cast<std::size_t>(k.value % 3)] = place;
-    return unit_normal(p);
-  };
-  for (const RingFace& r : ring_) {
-    const glm::dvec3 n_before = unit_normal(r.before);
-    const glm::dvec3 n_after = unit_normal(r.after);
-    for (const HalfedgeId k : s_.halfedges(r.face)) {
-      HalfedgeId t = s_.twin[k];
-      if (!t.is_valid()) continue;
-      before = std::min(before, glm::dot(n_before, unit_normal(s_.corners(s_.face(t)))));
-      // Beyond a dying face lies the neighbour to come.
-      const HalfedgeId hs = s_.twin[h];
-      if (s_.face(t) == s_.face(h) || (hs.is_valid() && s_.face(t) == s_.face(hs))) {
-        const HalfedgeId side = s_.face(t) == s_.face(h) ? h : hs;
-        t = s_.twin[t == s_.next(side) ? s_.prev(side) : s_.next(side)];
-        if (!t.is_valid()) continue;
-      }
-      after = std::min(after, glm::dot(n_after, moved_normal(s_.face(t))));
-    }
-  }
-  return after >= std::min(kLimits[stage_].fold_cosine, before - 1e-9);
+  return true;
 }
 
 bool Collapser::is_good(HalfedgeId h, const glm::dvec3& place) {
@@ -335,8 +250,10 @@ bool Collapser::is_good(HalfedgeId h, const glm::dvec3& place) {
   // A face between three kept edges would make one line of two.
   for (const HalfedgeId side : {h, s_.twin[h]})
     if (side.is_valid() && is_kept_[s_.next(side)] != 0 && is_kept_[s_.prev(side)] != 0) return false;
-  gather_ring(h, place);
-  if (ring_.empty() || !ring_keeps_shape() || !ring_stays_unfolded(h, place)) return false;
+  gather_ring(s_, h, place, ring_);
+  if (ring_.empty() || !keeps_shape(ring_, kLimits[stage_]) ||
+      !stays_unfolded(s_, h, place, ring_, kLimits[stage_]))
+    return false;
   return !crossing_.would_cross(s_, h, ring_);
 }
 
@@ -431,6 +348,7 @@ CollapseHistory Collapser::run() {
                              static_cast<double>(first - least));
     }
     if (queue_.empty() && !refill()) break;
+    if (queue_.empty()) continue;
     const Candidate candidate = queue_.top();
     queue_.pop();
     const HalfedgeId h(candidate.halfedge);

@@ -1,5 +1,5 @@
 // Keeps a collapse from pushing faces through other parts of the surface: a grid of cells over the live faces
-// and an exact-enough test of the few that are near. Only simplify*.cpp include it.
+// and a test of the few that are near. Only simplify*.cpp include it.
 #pragma once
 
 #include <array>
@@ -8,17 +8,10 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/mesh/simplify_guards.h"
 #include "core/mesh/simplify_surface.h"
 
 namespace netwright::simplify {
-
-/// A face that a collapse moves: its corner at halfedge `moved` goes elsewhere.
-struct RingFace {
-  FaceId face;
-  HalfedgeId moved;
-  std::array<glm::dvec3, 3> before;
-  std::array<glm::dvec3, 3> after;
-};
 
 class CrossingGuard {
  public:
