@@ -180,6 +180,31 @@ TEST_F(CommandLine, EndsWithStatus130OnCtrlC) {
   EXPECT_EQ(content(at("net.pdf")), "what was there before");
 }
 
+TEST_F(CommandLine, RepairsFlattensSimplifiesAndMergesOnlyWhenAsked) {
+  PolygonSoup doubled = shapes::icosphere(4);
+  doubled.add_face(std::vector<int>(doubled.face(5).begin(), doubled.face(5).end()));
+  const std::string ball = write("ball.obj", doubled);
+  expect_refusal(run({"unfold", ball, "-o", at("net.fold")}), "ball.obj");
+  EXPECT_EQ(run_json({"unfold", ball, "--repair", "--json"}, 0).find("faces")->integer(), 320);
+
+  const Ended fewer = run({"unfold", ball, "--repair", "--simplify", "100", "-o", at("net.fold")});
+  EXPECT_EQ(fewer.status, 0) << fewer.err;
+  EXPECT_NE(fewer.err.find("Simplified from 320 to 100 faces."), std::string::npos) << fewer.err;
+  EXPECT_EQ(run({"verify", at("net.fold")}).status, 0);
+
+  PolygonSoup bent = shapes::cuboid({2, 1, 3});
+  bent.points.back() += glm::dvec3(0.1, 0.2, 0.15);
+  const std::string box = write("box.obj", bent);
+  expect_refusal(run({"unfold", box}), "flat");
+  EXPECT_EQ(run_json({"unfold", box, "--planarize", "--json"}, 0).find("faces")->integer(), 6);
+  EXPECT_EQ(run_json({"unfold", box, "--split", "--json"}, 0).find("faces")->integer(), 9);
+  expect_refusal(run({"unfold", box, "--split", "--planarize"}), "--split");
+
+  const std::string cube = write("cube.obj", shapes::grid_cube(3));
+  EXPECT_EQ(run_json({"unfold", cube, "--merge", "--json"}, 0).find("faces")->integer(), 6);
+  expect_refusal(run({"unfold", cube, "--simplify", "3"}), "--simplify");
+}
+
 TEST_F(CommandLine, ExplainsItself) {
   const Ended help = run({"--help"});
   EXPECT_EQ(help.status, 0);
@@ -188,8 +213,9 @@ TEST_F(CommandLine, ExplainsItself) {
   }
   const Ended unfold = run({"unfold", "--help"});
   EXPECT_EQ(unfold.status, 0);
-  for (const char* word : {"--seed", "--time-limit", "--streams", "--threads", "--search", "--root",
-                           "--paper", "--height", "--fit-page", "--json", "--output"}) {
+  for (const char* word :
+       {"--seed", "--time-limit", "--streams", "--threads", "--search", "--root", "--repair", "--planarize",
+        "--split", "--simplify", "--merge", "--paper", "--height", "--fit-page", "--json", "--output"}) {
     EXPECT_NE(unfold.out.find(word), std::string::npos) << word;
   }
   const Ended version = run({"--version"});
