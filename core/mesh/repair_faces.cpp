@@ -213,6 +213,7 @@ class DegenerateFaces {
     std::vector<Corners> loops = untangled(corners);
     if (loops.size() == 1 && loops[0].size() == corners.size()) return;
     table_.set(f, loops.empty() ? Corners() : loops[0]);
+    if (!loops.empty()) queue.push_back(f);
     for (std::size_t i = 1; i < loops.size(); ++i)
       queue.push_back(table_.add({std::move(loops[i]), table_.face(f).source}));
   }

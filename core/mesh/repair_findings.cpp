@@ -25,13 +25,13 @@ void look_at_faces(const PolygonSoup& soup, Findings& found) {
   std::map<std::vector<int>, int> first_with;
   std::vector<std::pair<double, int>> uneven;
   for (int f = 0; f < soup.n_faces(); ++f) {
-    std::vector<int> corners(soup.face(f).begin(), soup.face(f).end());
-    std::ranges::sort(corners);
-    if (!first_with.try_emplace(std::move(corners), f).second) found.doubled_faces.push_back(f);
     if (is_broken(soup.face(f))) {
       found.broken_faces.push_back(f);
       continue;
     }
+    std::vector<int> corners(soup.face(f).begin(), soup.face(f).end());
+    std::ranges::sort(corners);
+    if (!first_with.try_emplace(std::move(corners), f).second) found.doubled_faces.push_back(f);
     const FaceMeasure measure = measure_face(soup, f);
     if (!measure.has_area) found.zero_area_faces.push_back(f);
     found.worst_unevenness = std::max(found.worst_unevenness, measure.unevenness);
@@ -47,9 +47,6 @@ void look_at_points(const PolygonSoup& soup, Groups& fans, Findings& found) {
   for (const auto& edge : found.crowded_edges) {
     for (const int point : edge) is_excused[static_cast<std::size_t>(point)] = 1;
   }
-  for (const int face : found.broken_faces) {
-    for (const int point : soup.face(face)) is_excused[static_cast<std::size_t>(point)] = 1;
-  }
   std::vector<int> n_fans(soup.points.size(), 0);
   for (std::size_t c = 0; c < soup.corners.size(); ++c) {
     if (fans.find(static_cast<int>(c)) == static_cast<int>(c))
@@ -61,20 +58,30 @@ void look_at_points(const PolygonSoup& soup, Groups& fans, Findings& found) {
 }
 
 /// Border sides that share a fan follow each other; what hangs together that way is a loop.
-int count_loops(const PolygonSoup& soup, std::span<const Side> sides, Groups& fans) {
+struct Loops {
+  int n_border = 0;  ///< with at least one side that no other face has
+  int n_all = 0;     ///< also those that crowded edges alone make
+};
+
+Loops count_loops(const PolygonSoup& soup, std::span<const Side> sides, Groups& fans) {
   Groups loops(soup.corners.size());
-  std::vector<int> starts;
+  std::vector<int> border;
+  std::vector<int> all;
   for_each_edge(sides, [&](std::span<const Side> edge) {
     if (is_manifold_edge(edge)) return;
     for (const Side& side : edge) {
       const int start = fans.find(side.corner);
       loops.unite(start, fans.find(next_corner(soup, side.face, side.corner)));
-      starts.push_back(start);
+      all.push_back(start);
+      if (edge.size() == 1) border.push_back(start);
     }
   });
-  for (int& start : starts) start = loops.find(start);
-  std::ranges::sort(starts);
-  return static_cast<int>(std::ranges::unique(starts).begin() - starts.begin());
+  const auto count = [&](std::vector<int>& starts) {
+    for (int& start : starts) start = loops.find(start);
+    std::ranges::sort(starts);
+    return static_cast<int>(std::ranges::unique(starts).begin() - starts.begin());
+  };
+  return {count(border), count(all)};
 }
 
 void look_at_edges(const PolygonSoup& soup, Findings& found) {
@@ -108,20 +115,33 @@ void look_at_edges(const PolygonSoup& soup, Findings& found) {
   };
   const auto n_faces = static_cast<std::size_t>(soup.n_faces());
   found.n_parts = count_groups(parts, n_faces);
-  found.n_border_loops = count_loops(soup, sides, fans);
+  const Loops loops = count_loops(soup, sides, fans);
+  found.n_border_loops = loops.n_border;
   const int euler = count_groups(fans, soup.corners.size()) - n_edges + soup.n_faces();
-  found.genus = (2 * count_groups(whole, n_faces) - found.n_border_loops - euler) / 2;
+  found.genus = (2 * count_groups(whole, n_faces) - loops.n_all - euler) / 2;
 }
 
-void look_at_orientation(PolygonSoup soup, Findings& found) {
+void look_at_orientation(PolygonSoup soup, const std::vector<int>& face_source, Findings& found) {
   try {
     const std::vector<bool> turned = orient(soup);
     for (std::size_t f = 0; f < turned.size(); ++f) {
-      if (turned[f]) found.turned_faces.push_back(static_cast<int>(f));
+      if (turned[f]) found.turned_faces.push_back(face_source[f]);
     }
   } catch (const Error&) {
     found.is_one_sided = true;
   }
+}
+
+/// The soup without faces that are broken or doubled: what they do to their edges is no fault of its own.
+Repaired without_blunders(const PolygonSoup& soup, const Findings& found) {
+  std::vector<char> is_left_out(static_cast<std::size_t>(soup.n_faces()), 0);
+  for (const int f : found.broken_faces) is_left_out[static_cast<std::size_t>(f)] = 1;
+  for (const int f : found.doubled_faces) is_left_out[static_cast<std::size_t>(f)] = 1;
+  SoupWriter writer(soup);
+  for (int f = 0; f < soup.n_faces(); ++f) {
+    if (is_left_out[static_cast<std::size_t>(f)] == 0) writer.copy_face(f);
+  }
+  return writer.finish(0, {});
 }
 
 }  // namespace
@@ -141,8 +161,9 @@ Findings find_faults(const PolygonSoup& soup) {
   found.n_vertices = n_used_points(work);
   found.size = used_box(work).size();
   look_at_faces(work, found);
-  look_at_edges(work, found);
-  look_at_orientation(std::move(work), found);
+  Repaired rest = without_blunders(work, found);
+  look_at_edges(rest.soup, found);
+  look_at_orientation(std::move(rest.soup), rest.face_source, found);
   return found;
 }
 

@@ -18,13 +18,14 @@ struct Findings {
   int genus = 0;  ///< of the surface cut along its crowded edges
   double border_length = 0;
   glm::dvec3 size{0};
+  // Edges and points are looked at without broken and doubled faces.
   std::vector<std::array<int, 2>> border_edges{};
   std::vector<std::array<int, 2>> crowded_edges{};  ///< more than two sides, or twice the same face
   std::vector<int> pinched_points{};                ///< several fans meet there, away from crowded edges
   std::vector<int> isolated_points{};
   std::vector<int> broken_faces{};     ///< a corner twice, or fewer than three
   std::vector<int> zero_area_faces{};  ///< of those that are not broken
-  std::vector<int> doubled_faces{};    ///< all but the first with the same corners
+  std::vector<int> doubled_faces{};    ///< all but the first with the same corners, if not broken
   std::vector<int> turned_faces{};
   bool is_one_sided = false;
   std::vector<int> uneven_faces{};  ///< worst first

@@ -1,6 +1,7 @@
 // Turns faces: walks from face to face so that neighbours run the same way, then turns whole components
 // outward. Point and face numbers in messages are those of the file, counted from 1.
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "core/base/error.h"
@@ -62,15 +63,15 @@ std::vector<int> walk(const PolygonSoup& soup, const std::vector<std::vector<Lin
   return reached;
 }
 
-/// Six times the volume under the component's faces, seen from a point inside its box so that nothing
-/// cancels.
-double signed_volume(const PolygonSoup& soup, const std::vector<int>& faces,
-                     const std::vector<bool>& turned) {
+/// Whether a closed component's volume is below zero: -1, above: 1, or 0 where there is none to speak of
+/// (two sheets lying on each other). Seen from the middle of its box so that nothing cancels.
+int sign_of_volume(const PolygonSoup& soup, const std::vector<int>& faces, const std::vector<bool>& turned) {
   Box3 box;
   for (const int f : faces) {
     for (const int corner : soup.face(f)) box.add(soup.points[static_cast<std::size_t>(corner)]);
   }
   double volume = 0;
+  double total = 0;
   for (const int f : faces) {
     const auto face = soup.face(f);
     const auto at = [&](std::size_t i) {
@@ -79,8 +80,11 @@ double signed_volume(const PolygonSoup& soup, const std::vector<int>& faces,
     double part = 0;
     for (std::size_t i = 1; i + 1 < face.size(); ++i) part += glm::dot(at(0), glm::cross(at(i), at(i + 1)));
     volume += turned[static_cast<std::size_t>(f)] ? -part : part;
+    total += std::abs(part);
   }
-  return volume;
+  constexpr double kRounding = 1e-12;
+  if (std::abs(volume) <= kRounding * total) return 0;
+  return volume < 0 ? -1 : 1;
 }
 
 bool is_closed(const PolygonSoup& soup, const std::vector<std::vector<Link>>& links,
@@ -108,9 +112,8 @@ std::vector<bool> orient(PolygonSoup& soup) {
     const std::vector<int> faces = walk(soup, links, seed, turned, seen);
     const auto n_turned =
         std::ranges::count_if(faces, [&](int f) { return turned[static_cast<std::size_t>(f)]; });
-    const bool is_wrong = is_closed(soup, links, faces)
-                              ? signed_volume(soup, faces, turned) < 0
-                              : 2 * n_turned > static_cast<std::ptrdiff_t>(faces.size());
+    const int volume = is_closed(soup, links, faces) ? sign_of_volume(soup, faces, turned) : 0;
+    const bool is_wrong = volume == 0 ? 2 * n_turned > static_cast<std::ptrdiff_t>(faces.size()) : volume < 0;
     for (const int f : faces) {
       if (is_wrong) turned[static_cast<std::size_t>(f)] = !turned[static_cast<std::size_t>(f)];
     }
@@ -131,8 +134,7 @@ Repaired orient_faces(const PolygonSoup& soup) {
   Repaired result = repair::unchanged(work);
   result.is_turned = turned;
   result.count = static_cast<int>(n_turned);
-  result.sentence =
-      "Turned " + repair::counted(n_turned, "face", "faces") + " over to face outward like the rest.";
+  result.sentence = repair::turned_sentence(n_turned);
   return result;
 }
 

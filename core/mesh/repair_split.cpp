@@ -40,6 +40,7 @@ class Pairing {
 
   [[nodiscard]] const std::vector<int>& mates() const { return mates_; }
   [[nodiscard]] int n_crowded() const { return n_crowded_; }
+  [[nodiscard]] std::span<const Side> sides() const { return sides_; }
 
  private:
   struct Candidate {
@@ -66,14 +67,14 @@ class Pairing {
         if (!is_free(edge[i]) || !is_free(edge[j]) || edge[i].face == edge[j].face) continue;
         const auto a = groups_.find(edge[i].face);
         const auto b = groups_.find(edge[j].face);
-        if ((a.group == b.group) != is_within_group) continue;
+        const bool is_one_group = a.group == b.group;
+        if (is_within_group && !is_one_group) continue;
         const bool is_up = edge[i].is_upward != a.is_turned;
         const double turn = wrapped(angles[j] - angles[i]);
-        if (!is_within_group) {
-          candidates.push_back({std::abs(turn - std::numbers::pi), i, j});
-        } else if (is_up != (edge[j].is_upward != b.is_turned)) {
-          candidates.push_back({is_up ? wrapped(-turn) : turn, i, j});  // the wedge inside the part
-        }
+        if (is_one_group && is_up == (edge[j].is_upward != b.is_turned)) continue;
+        // Within a part the wedge that it fills counts, between parts how smoothly one goes on in the other.
+        const double wedge = is_up ? wrapped(-turn) : turn;
+        candidates.push_back({is_within_group ? wedge : std::abs(turn - std::numbers::pi), i, j});
       }
     }
     std::ranges::stable_sort(candidates, {}, &Candidate::cost);
@@ -201,6 +202,22 @@ int bend_double_edges(Repaired& result, const std::vector<int>& mates) {
   return n_added;
 }
 
+/// Points where several fans meet, but no crowded edge ends.
+int count_pinched_points(const PolygonSoup& soup, const Pairing& pairing) {
+  repair::Groups fans = repair::corner_fans(soup, pairing.sides());
+  std::vector<int> n_fans(soup.points.size(), 0);
+  for (std::size_t c = 0; c < soup.corners.size(); ++c) {
+    if (fans.find(static_cast<int>(c)) == static_cast<int>(c))
+      ++n_fans[static_cast<std::size_t>(soup.corners[c])];
+  }
+  repair::for_each_edge(pairing.sides(), [&](std::span<const Side> edge) {
+    if (edge.size() < 2 || repair::is_manifold_edge(edge)) return;
+    n_fans[static_cast<std::size_t>(edge[0].low)] = 0;
+    n_fans[static_cast<std::size_t>(edge[0].high)] = 0;
+  });
+  return static_cast<int>(std::ranges::count_if(n_fans, [](int n) { return n > 1; }));
+}
+
 }  // namespace
 
 Repaired split_non_manifold(const PolygonSoup& soup) {
@@ -214,13 +231,15 @@ Repaired split_non_manifold(const PolygonSoup& soup) {
   if (result.count == 0) return repair::unchanged(soup);
   result.soup.is_indexed = true;
   result.soup.is_joined = true;
-  result.sentence = "Parted faces that met in one point or edge" +
-                    repair::before_after(n_before, n_before + result.count, "points") + ".";
-  if (pairing.n_crowded() > 0) {
-    result.sentence = "Parted " + repair::counted(pairing.n_crowded(), "edge", "edges") +
-                      " with more than two faces, and faces that met in one point" +
-                      repair::before_after(n_before, n_before + result.count, "points") + ".";
+  const int n_points = count_pinched_points(work, pairing);
+  std::string what;
+  if (pairing.n_crowded() > 0)
+    what = repair::counted(pairing.n_crowded(), "edge", "edges") + " with more than two faces";
+  if (n_points > 0) {
+    what +=
+        (what.empty() ? "" : " and ") + repair::counted(n_points, "point", "points") + " where parts touched";
   }
+  result.sentence = "Split " + what + repair::before_after(n_before, n_before + result.count, "points") + ".";
   return result;
 }
 

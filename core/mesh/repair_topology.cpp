@@ -203,6 +203,10 @@ std::string turned_faces_sentence(std::ptrdiff_t n_turned) {
   return counted(n_turned, "face was", "faces were") + " turned over to face outward like the rest.";
 }
 
+std::string turned_sentence(std::ptrdiff_t n_turned) {
+  return "Turned " + counted(n_turned, "face", "faces") + " over to face outward like the rest.";
+}
+
 std::string counted(std::ptrdiff_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }

@@ -162,6 +162,8 @@ inline constexpr double kLeastDiagonal = 1e-75;
 /// What prepare() and the report both say.
 std::string doubled_points_sentence(int n_merged);
 std::string turned_faces_sentence(std::ptrdiff_t n_turned);
+/// What repair says when it did it.
+std::string turned_sentence(std::ptrdiff_t n_turned);
 
 /// "1 face", "7 faces"
 std::string counted(std::ptrdiff_t n, const std::string& one, const std::string& many);

@@ -128,7 +128,8 @@ class BoxTree {
     for (std::size_t n = 0; n < nodes_.size(); ++n) split(n);
   }
 
-  /// Calls visit(i, j) once for each pair of boxes that meet; false when the work was cut off.
+  /// Calls visit(i, j) once for each pair of boxes that meet, until it returns false; false when the work
+  /// was cut off.
   template <class Visit>
   bool for_meeting_pairs(std::int64_t most_work, Visit visit) const {
     std::vector<std::array<int, 2>> stack{{0, 0}};
@@ -141,7 +142,7 @@ class BoxTree {
       if (most_work < 0) return false;
       if (!boxes_meet(x.box, y.box)) continue;
       if (x.left < 0 && y.left < 0) {
-        visit_leaves(x, y, visit);
+        if (!visit_leaves(x, y, visit)) return false;
       } else if (a == b) {
         stack.push_back({x.left, x.left});
         stack.push_back({x.left + 1, x.left + 1});
@@ -193,13 +194,15 @@ class BoxTree {
   }
 
   template <class Visit>
-  void visit_leaves(const Node& x, const Node& y, Visit& visit) const {
+  bool visit_leaves(const Node& x, const Node& y, Visit& visit) const {
     for (int i = x.begin; i < x.end; ++i) {
       for (int j = &x == &y ? i + 1 : y.begin; j < y.end; ++j) {
-        if (boxes_meet(box(i), box(j)))
-          visit(order_[static_cast<std::size_t>(i)], order_[static_cast<std::size_t>(j)]);
+        if (boxes_meet(box(i), box(j)) &&
+            !visit(order_[static_cast<std::size_t>(i)], order_[static_cast<std::size_t>(j)]))
+          return false;
       }
     }
+    return true;
   }
 
   const std::vector<Box3>& boxes_;
@@ -209,6 +212,7 @@ class BoxTree {
 
 SelfIntersections find_crossings(const Faces& faces) {
   constexpr std::int64_t kMostWork = 40'000'000;
+  constexpr std::size_t kMostPairs = 100'000;
   SelfIntersections found;
   if (faces.size() == 0) return found;
   CrossingTest cross_each_other(faces);
@@ -217,6 +221,7 @@ SelfIntersections find_crossings(const Faces& faces) {
     const int a = std::min(i, j);
     const int b = std::max(i, j);
     if (cross_each_other(a, b)) found.pairs.emplace_back(a, b);
+    return found.pairs.size() < kMostPairs;
   });
   std::ranges::sort(found.pairs);
   return found;

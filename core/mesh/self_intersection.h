@@ -16,7 +16,7 @@ struct SelfIntersections {
 
 /// Pairs of faces whose surfaces cross properly: faces that only touch, at a common corner or edge or
 /// anywhere else, do not count, nor do faces without area. Takes n log n time for models that do not cross
-/// much, and is cut off after some 40 million comparisons of boxes.
+/// much, and is cut off after 40 million comparisons of boxes or 100 000 pairs.
 SelfIntersections find_self_intersections(const PolygonSoup& soup);
 SelfIntersections find_self_intersections(const Mesh& mesh);
 
