@@ -91,6 +91,7 @@ class Reader {
     if (info_app_->parsed()) return info_;
     if (bench_app_->parsed()) return bench();
     unfold_.search = style();
+    if (!up_.empty()) unfold_.recipe.up = up_ == "y" ? UpAxis::Y : UpAxis::Z;
     if (is_flatten_) unfold_.recipe.uneven = UnevenFaces::Flatten;
     if (is_split_) unfold_.recipe.uneven = UnevenFaces::Split;
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
@@ -115,6 +116,14 @@ class Reader {
             within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max(), "a whole number, 0 or more"))
         ->capture_default_str();
     add_search(app, unfold_, "Longest search in seconds, 0 = none");
+    app.add_option("--up", up_,
+                   "Which axis is up, where the format's custom is wrong; the height is along it")
+        ->type_name("y|z")
+        ->check(CLI::Validator(
+            [](std::string& word) {
+              return word == "y" || word == "z" ? std::string() : "it must be y or z";
+            },
+            ""));
     app.add_flag(
         "--repair", unfold_.recipe.repairs,
         "Repair the model first: weld, drop doubled and empty faces, turn, part what no paper can be");
@@ -227,6 +236,7 @@ class Reader {
   CLI::App* bench_app_ = nullptr;
   CLI::Option* height_ = nullptr;
   bool is_fit_page_ = false;
+  std::string up_;
   bool is_flatten_ = false;
   bool is_split_ = false;
   UnfoldCommand unfold_;

@@ -203,6 +203,8 @@ TEST_F(CommandLine, RepairsFlattensSimplifiesAndMergesOnlyWhenAsked) {
   const std::string cube = write("cube.obj", shapes::grid_cube(3));
   EXPECT_EQ(run_json({"unfold", cube, "--merge", "--json"}, 0).find("faces")->integer(), 6);
   expect_refusal(run({"unfold", cube, "--simplify", "3"}), "--simplify");
+  expect_refusal(run({"unfold", cube, "--up", "x"}), "y or z");
+  EXPECT_EQ(run({"unfold", cube, "--up", "z", "--height", "30", "-o", at("cube.pdf")}).status, 0);
 }
 
 TEST_F(CommandLine, ExplainsItself) {
@@ -213,9 +215,9 @@ TEST_F(CommandLine, ExplainsItself) {
   }
   const Ended unfold = run({"unfold", "--help"});
   EXPECT_EQ(unfold.status, 0);
-  for (const char* word :
-       {"--seed", "--time-limit", "--streams", "--threads", "--search", "--root", "--repair", "--planarize",
-        "--split", "--simplify", "--merge", "--paper", "--height", "--fit-page", "--json", "--output"}) {
+  for (const char* word : {"--seed", "--time-limit", "--streams", "--threads", "--search", "--root", "--up",
+                           "--repair", "--planarize", "--split", "--simplify", "--merge", "--paper",
+                           "--height", "--fit-page", "--json", "--output"}) {
     EXPECT_NE(unfold.out.find(word), std::string::npos) << word;
   }
   const Ended version = run({"--version"});

@@ -108,6 +108,15 @@ TEST(MakeModel, StagesKeptFromEarlierChangeOnlyTheTime) {
   }
 }
 
+TEST(MakeModel, HeightIsAlongTheAxisThatIsUp) {
+  const auto soup = shared(shapes::cuboid({2, 1, 3}));
+  ASSERT_EQ(soup->up_axis, UpAxis::Y);
+  EXPECT_EQ(make(soup, {}).dual->mesh().height(), 1);
+  const MadeModel upright = make(soup, {.up = UpAxis::Z, .faces = 8, .merges = true});
+  EXPECT_EQ(upright.dual->mesh().height(), 3);
+  EXPECT_EQ(make(soup, {.up = UpAxis::Y}, upright.stages).dual->mesh().height(), 1);
+}
+
 TEST(MakeModel, NetsOfSplitAndRepairedModelsNameEveryFaceOnce) {
   PolygonSoup holed = shapes::icosphere(3);
   holed.corners.resize(holed.corners.size() - 3);

@@ -30,9 +30,7 @@ class Maker {
       : source_(std::move(source)), recipe_(recipe), progress_(progress) {}
 
   MadeModel make(const std::shared_ptr<const ModelStages>& before) {
-    const bool fits = before && before->source == source_ && before->recipe.repairs == recipe_.repairs &&
-                      before->recipe.uneven == recipe_.uneven;
-    if (fits) {
+    if (before && before->source == source_ && has_same_base(before->recipe)) {
       stages_ = *before;
     } else {
       prepare_base();
@@ -45,8 +43,17 @@ class Maker {
   }
 
  private:
+  [[nodiscard]] bool has_same_base(const Recipe& other) const {
+    return other.up == recipe_.up && other.repairs == recipe_.repairs && other.uneven == recipe_.uneven;
+  }
+
   void prepare_base() {
     stages_.source = source_;
+    if (recipe_.up && *recipe_.up != source_->up_axis) {
+      auto turned = std::make_shared<PolygonSoup>(*source_);
+      turned->up_axis = *recipe_.up;
+      source_ = std::move(turned);
+    }
     stages_.recipe = recipe_;
     PreparedModel prepared;
     if (recipe_.repairs) {

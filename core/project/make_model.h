@@ -17,7 +17,7 @@ namespace netwright {
 /// What later recipes for the same file can take over: the mesh before simplifying, and its collapses.
 struct ModelStages {
   std::shared_ptr<const PolygonSoup> source;
-  Recipe recipe;                     ///< only repairs and uneven count here
+  Recipe recipe;                     ///< only up, repairs and uneven count here
   std::shared_ptr<const Mesh> mesh;  ///< repaired, all faces flat
   std::vector<std::string> done;
   std::shared_ptr<const Simplifier> simplifier;  ///< null until it is asked for

@@ -2,6 +2,10 @@
 // says how a mesh is made of them, so every ingredient can be changed or left out again.
 #pragma once
 
+#include <optional>
+
+#include "core/mesh/soup.h"
+
 namespace netwright {
 
 /// What happens to faces that are not flat. Paper cannot be bent in two ways at once, so they cannot stay.
@@ -13,6 +17,7 @@ enum class UnevenFaces {
 
 /// Done in the order of the members.
 struct Recipe {
+  std::optional<UpAxis> up{};  ///< which way is up, when the format's custom is wrong
   bool repairs = false;  ///< everything that repair_all() can put right, uneven faces split unless flattened
   UnevenFaces uneven = UnevenFaces::Refuse;
   int faces = 0;        ///< simplify to at most so many; 0 = keep all
