@@ -48,6 +48,25 @@ TEST(SpeedSlider, GoesFromOneMoveASecondToFullSpeedAndBack) {
   EXPECT_EQ(speed_text(1), "one move a second");
 }
 
+TEST(FacesSlider, GoesFromTheFewestToAllAndBack) {
+  EXPECT_EQ(faces_of_slider(0, 20, 12000), 20);
+  EXPECT_EQ(faces_of_slider(1, 20, 12000), 12000);
+  EXPECT_NEAR(faces_of_slider(0.5, 20, 12000), std::sqrt(20.0 * 12000), 1);
+  for (const int faces : {20, 33, 400, 5000, 12000})
+    EXPECT_EQ(faces_of_slider(slider_of_faces(faces, 20, 12000), 20, 12000), faces);
+  EXPECT_DOUBLE_EQ(slider_of_faces(6, 6, 6), 1);
+  EXPECT_EQ(faces_of_slider(0.2, 6, 6), 6);
+}
+
+TEST(StatusWords, GiveLengthsAndFacesAsPeopleReadThem) {
+  EXPECT_EQ(length_text(0.002), "under 0.01 mm");
+  EXPECT_EQ(length_text(0.034), "0.03 mm");
+  EXPECT_EQ(length_text(0.84), "0.8 mm");
+  EXPECT_EQ(length_text(9.97), "10 mm");
+  EXPECT_EQ(faces_text(400, 12000), "400 of 12\u2009000 faces");
+  EXPECT_EQ(faces_text(370, 370), "370 faces");
+}
+
 TEST(Shortcuts, AreNamedAsOnTheKeyboardAndNeverTwice) {
   EXPECT_EQ(shortcut_text(action(ActionId::Open).shortcut), "Ctrl+O");
   EXPECT_EQ(shortcut_text(action(ActionId::Unfold).shortcut), "Space");

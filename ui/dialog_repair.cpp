@@ -1,6 +1,7 @@
 // What to do with a file that cannot be unfolded as it is: what is wrong, what repairing would do, and the
 // three ways on. Nothing is repaired without this question.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -33,6 +34,21 @@ void sentence(const UiState& ui, const char* sign, ImU32 colour, const std::stri
   ImGui::PopTextWrapPos();
 }
 
+/// A sentence as said beside a button that cures it: without the advice behind its semicolon.
+std::string without_advice(std::string text) {
+  const auto advice = text.rfind("; ");
+  if (advice != std::string::npos) text.replace(advice, std::string::npos, ".");
+  return text;
+}
+
+/// The refusal without the file's name, which is in the title.
+std::string reason_alone(const Session::Pending& pending) {
+  std::string text = without_advice(pending.refusal);
+  if (text.starts_with(pending.name + ": ")) text.erase(0, pending.name.size() + 2);
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
 std::string before_and_after(int before, int after) {
   return before == after ? "It stays at " + counted(after, "face", "faces") + "."
                          : counted(before, "face", "faces") + " before, " + grouped(after) + " after.";
@@ -42,16 +58,16 @@ void describe(const UiState& ui, const Session::Pending& pending) {
   const Colours& colours = ui.look.colours;
   if (!ui.error.empty()) sentence(ui, icon::kError, colours.bad, ui.error);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(pending.refusal.c_str());
+  ImGui::TextUnformatted(reason_alone(pending).c_str());
   ImGui::PopTextWrapPos();
   note_widget(ui, "repair/refusal");
   heading(ui, "What is wrong");
   for (const MeshReport::Line& line : pending.report.lines) {
     if (line.kind != MeshReport::Line::Kind::Problem || line.text == pending.refusal) continue;
-    sentence(ui, icon::kError, colours.bad, line.text);
+    sentence(ui, icon::kError, colours.bad, without_advice(line.text));
     note_widget(ui, "repair/" + std::string(topic_name(line.topic)));
   }
-  heading(ui, "What repairing does");
+  heading(ui, "Result of repairing");
   for (const std::string& repair : pending.repairs) sentence(ui, icon::kDone, colours.good, repair);
   text_muted(ui, before_and_after(pending.report.n_faces, pending.n_faces_repaired));
   note_widget(ui, "repair/faces");

@@ -107,6 +107,25 @@ void work_line(const UiContext& context) {
   tooltip(ui, chore->phase() + "… " + percent);
 }
 
+void merge_row(UiContext& context, const Range& range) {
+  const UiState& ui = context.ui;
+  const Session& session = context.session;
+  const Action& merge = action(ActionId::MergeFaces);
+  bool is_merging = merge.is_on(context);
+  if (checkbox(ui, "model/merge", std::string(merge.name), is_merging, tip_of(context, merge)))
+    run_action(context, ActionId::MergeFaces);
+  if (!session.recipe().merges) return;
+  // The sentences come in the recipe's order; those about merging are the last ones.
+  const MadeModel& made = *session.project().made;
+  const bool is_simplified = session.recipe().faces > 0 && session.recipe().faces < range.all;
+  ImGui::PushFont(ui.look.fonts.small);
+  ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - ui.look.px(16));
+  for (std::size_t i = made.stages->done.size() + (is_simplified ? 1 : 0); i < made.done.size(); ++i)
+    text_muted(ui, made.done[i]);
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+}
+
 }  // namespace
 
 void panel_faces(UiContext& context) {
@@ -121,10 +140,8 @@ void panel_faces(UiContext& context) {
   work_line(context);
   figures(context, range);
   all_faces_button(context);
-  const Action& merge = action(ActionId::MergeFaces);
-  bool is_merging = merge.is_on(context);
-  if (checkbox(ui, "model/merge", std::string(merge.name), is_merging, tip_of(context, merge)))
-    run_action(context, ActionId::MergeFaces);
+  ImGui::Dummy(ImVec2(0, 0));
+  merge_row(context, range);
   ImGui::PopStyleVar();
 }
 

@@ -75,10 +75,10 @@ void report_line(UiContext& context, std::size_t index, const MeshReport::Line& 
                room - indent);
 }
 
-/// What was done to the file's faces.
+/// What was done to the file's faces before anything was simplified or merged.
 void done_lines(const UiContext& context) {
   const UiState& ui = context.ui;
-  for (const std::string& sentence : context.session.project().made->done) {
+  for (const std::string& sentence : context.session.project().made->stages->done) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddText(at, ui.look.colours.good, icon::kDone);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.look.px(24));

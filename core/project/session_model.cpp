@@ -45,7 +45,7 @@ bool Session::Impl::take_opened() {
   shown.refusal = model.made.refusal;
   shown.repairs = model.repaired->done;
   shown.n_faces_repaired = static_cast<int>(model.repaired->dual->mesh().n_faces());
-  shown.can_flatten = model.made.report.n_uneven_faces > 0;
+  shown.can_flatten = shown.report.count(MeshReport::Topic::UnevenFaces) > 0;
   return true;
 }
 
