@@ -1,0 +1,71 @@
+// netwright-cli info: the report in words and as JSON, for sound, broken and hopeless models.
+#include <algorithm>
+
+#include "tests/cli_support.h"
+
+namespace netwright {
+namespace {
+
+const Json* finding(const Json& json, const std::string& topic) {
+  for (const Json& line : *json.find("findings")->array()) {
+    if (*line.find("topic")->text() == topic) return &line;
+  }
+  return nullptr;
+}
+
+PolygonSoup with_doubled_face() {
+  PolygonSoup soup = shapes::cube();
+  soup.add_face(std::vector<int>(soup.face(3).begin(), soup.face(3).end()));
+  return soup;
+}
+
+TEST_F(CommandLine, InfoTellsFactsOfASoundModel) {
+  const std::string model = write("cube.obj", shapes::cuboid({60, 20, 30}));
+  const Ended ended = run({"info", model});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(
+      ended.out,
+      "cube.obj\n  6 faces, 8 corners\n  closed, genus 0\n  60 × 20 × 30, probably in mm\nFit to unfold.\n");
+  const Json json = run_json({"info", model, "--json"}, 0);
+  EXPECT_EQ(json.find("fit")->boolean(), true);
+  EXPECT_EQ(json.find("unit")->text()->substr(0), "mm");
+  EXPECT_EQ(json.find("size")->array()->at(2).number(), 30.0);
+  EXPECT_EQ(finding(json, "counts")->find("count")->integer(), 6);
+  EXPECT_TRUE(json.find("repair")->array()->empty());
+}
+
+TEST_F(CommandLine, InfoNamesCulpritsAndTellsWhatRepairWouldDo) {
+  const std::string model = write("twice.obj", with_doubled_face());
+  const Ended ended = run({"info", model});
+  EXPECT_EQ(ended.status, 2);
+  const std::string problem = "1 face has the same corners as another one (face 7).";
+  EXPECT_NE(ended.out.find("  Problem: " + problem + "\n"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("With --repair it is fit to unfold:\n  Dropped 1 doubled face (7 → 6 faces).\n"),
+            std::string::npos)
+      << ended.out;
+  const Json json = run_json({"info", model, "--json"}, 2);
+  const Json* doubled = finding(json, "doubled_faces");
+  ASSERT_NE(doubled, nullptr);
+  EXPECT_EQ(*doubled->find("kind")->text(), "problem");
+  EXPECT_EQ(*doubled->find("text")->text(), problem);
+  ASSERT_EQ(doubled->find("faces")->array()->size(), 1U);
+  EXPECT_EQ(doubled->find("faces")->array()->at(0).integer(), 7);
+  EXPECT_EQ(json.find("repairable")->boolean(), true);
+  EXPECT_EQ(json.find("repair")->array()->size(), 1U);
+}
+
+TEST_F(CommandLine, InfoSaysWhatCannotBeRepaired) {
+  // A Möbius strip of five triangles.
+  const std::string strip =
+      "v 0 0 0\nv 4 0 0\nv 5 3 1\nv 2 5 2\nv -1 3 1\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 2\n";
+  const Ended ended = run({"info", write("strip.obj", strip)});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.out.find("only one side"), std::string::npos) << ended.out;
+  EXPECT_EQ(ended.out.find("With --repair"), std::string::npos) << ended.out;
+  const Json json = run_json({"info", at("strip.obj"), "--json"}, 2);
+  EXPECT_EQ(json.find("repairable")->boolean(), false);
+  EXPECT_NE(finding(json, "one_sided"), nullptr);
+}
+
+}  // namespace
+}  // namespace netwright
