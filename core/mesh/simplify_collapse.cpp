@@ -223,8 +223,9 @@ Collapser::Plan Collapser::plan(HalfedgeId h) const {
   spread += spread_[s_.to(h)];
   const double error = std::max(0.0, q(result.position)) + kSpread * std::max(0.0, spread(result.position));
   // Between the sum of the errors, which lets small features go early, and their mean, which forgets how much
-  // surface there is.
-  result.cost = spread.weight > 0 ? error / std::sqrt(spread.weight) : 0;
+  // surface there is: over the power 3/4 of the area, which gave the least deviations.
+  const double root = std::sqrt(spread.weight);
+  result.cost = root > 0 ? error / (root * std::sqrt(root)) : 0;
   return result;
 }
 
