@@ -73,13 +73,22 @@ class FaceTable {
     faces_[static_cast<std::size_t>(f)].corners = std::move(corners);
   }
 
+  /// Puts corners behind the i-th one of face f.
+  void insert(int f, std::size_t i, const Corners& more) {
+    Corners& corners = faces_[static_cast<std::size_t>(f)].corners;
+    corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(i) + 1, more.begin(), more.end());
+    for (std::size_t k = i; k <= i + more.size(); ++k) register_side(corners, k, f);
+  }
+
   /// The faces other than `f` with a side between a and b, in either direction.
   [[nodiscard]] std::vector<int> others_at(int a, int b, int f) const {
     std::vector<int> others;
     const auto found = faces_at_.find(key(a, b));
     if (found == faces_at_.end()) return others;
+    constexpr std::size_t kMost = 64;  // more faces at an edge than that come apart anyway
     for (const int g : found->second) {
-      if (g != f && find_side(g, a, b) >= 0 && std::ranges::find(others, g) == others.end())
+      if (others.size() < kMost && g != f && find_side(g, a, b) >= 0 &&
+          std::ranges::find(others, g) == others.end())
         others.push_back(g);
     }
     return others;
@@ -242,7 +251,7 @@ class DegenerateFaces {
 
   /// Puts points into g's side between a and b, at these shares of the way from a to b.
   void insert(int g, int a, int b, std::vector<int> points, std::vector<double> shares) {
-    Corners corners = table_.face(g).corners;
+    const Corners& corners = table_.face(g).corners;
     const auto i = static_cast<std::size_t>(table_.find_side(g, a, b));
     const Corner start = corners[i];
     const Corner end = corners[i + 1 == corners.size() ? 0 : i + 1];
@@ -254,8 +263,7 @@ class DegenerateFaces {
     Corners inserted;
     for (std::size_t k = 0; k < points.size(); ++k)
       inserted.push_back({points[k], start.uv + (end.uv - start.uv) * shares[k]});
-    corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(i) + 1, inserted.begin(), inserted.end());
-    table_.set(g, std::move(corners));
+    table_.insert(g, i, inserted);
   }
 
   FaceTable table_;

@@ -213,6 +213,7 @@ class BoxTree {
 SelfIntersections find_crossings(const Faces& faces) {
   constexpr std::int64_t kMostWork = 40'000'000;
   constexpr std::size_t kMostPairs = 100'000;
+  std::int64_t corners_left = 400'000'000;  // of the faces compared, which may have very many
   SelfIntersections found;
   if (faces.size() == 0) return found;
   CrossingTest cross_each_other(faces);
@@ -221,7 +222,8 @@ SelfIntersections find_crossings(const Faces& faces) {
     const int a = std::min(i, j);
     const int b = std::max(i, j);
     if (cross_each_other(a, b)) found.pairs.emplace_back(a, b);
-    return found.pairs.size() < kMostPairs;
+    corners_left -= static_cast<std::int64_t>(faces.face(a).size() + faces.face(b).size());
+    return found.pairs.size() < kMostPairs && corners_left > 0;
   });
   std::ranges::sort(found.pairs);
   return found;
