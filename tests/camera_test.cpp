@@ -30,6 +30,39 @@ std::shared_ptr<const DualGraph> dual_of(const PolygonSoup& soup) {
   return std::make_shared<const DualGraph>(std::make_shared<const Mesh>(soup));
 }
 
+TEST(OrbitCamera, LooksFromTheSideItIsToldWithEitherAxisUp) {
+  for (const UpAxis axis : {UpAxis::Y, UpAxis::Z}) {
+    OrbitCamera camera = framed_camera();
+    camera.set_up_axis(axis);
+    for (const glm::dvec3& side :
+         {glm::dvec3(1, 0.2, 0.1), glm::dvec3(-0.3, -0.5, 2), glm::dvec3(0, 1, -3)}) {
+      const double distance = camera.distance();
+      camera.look_from(side);
+      EXPECT_NEAR(glm::dot(glm::normalize(camera.eye() - camera.target()), glm::normalize(side)), 1, 1e-9);
+      EXPECT_DOUBLE_EQ(camera.distance(), distance);
+    }
+    const OrbitCamera before = camera;
+    camera.look_from(glm::dvec3(0));
+    EXPECT_EQ(camera, before);
+  }
+}
+
+TEST(OrbitCamera, FliesFromOneViewToAnotherTheShorterWayRound) {
+  OrbitCamera from = framed_camera();
+  from.look_from({-0.1, 0, -1});
+  OrbitCamera to = from;
+  to.look_from({0.1, 0.3, -1});
+  to.zoom(4, {400, 300});
+  const auto near = [](const OrbitCamera& a, const OrbitCamera& b) {
+    return glm::distance(a.eye(), b.eye()) + glm::distance(a.target(), b.target()) < 1e-9;
+  };
+  EXPECT_TRUE(near(OrbitCamera::between(from, to, 0), from));
+  EXPECT_TRUE(near(OrbitCamera::between(from, to, 1), to));
+  const OrbitCamera half = OrbitCamera::between(from, to, 0.5);
+  EXPECT_NEAR(half.distance(), from.distance() / 2, 1e-9);
+  EXPECT_LT((half.eye() - half.target()).z, 0) << "not through the front";
+}
+
 TEST(OrbitCamera, ShowsEveryCornerOfAFramedBoxInWideAndTallViews) {
   for (const glm::dvec2 size : {glm::dvec2(800, 600), glm::dvec2(300, 900), glm::dvec2(1600, 200)}) {
     const OrbitCamera camera = framed_camera(size);

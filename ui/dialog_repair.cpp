@@ -49,6 +49,17 @@ std::string reason_alone(const Session::Pending& pending) {
   return text;
 }
 
+/// However long the file's name is, what is the matter with it stays to be read.
+std::string title_of(const UiState& ui, const std::string& name) {
+  constexpr const char* kRest = " needs repair";
+  ImGui::PushFont(ui.look.fonts.title);
+  const float dialog = std::min(ui.look.px(kWidth), ImGui::GetIO().DisplaySize.x - ui.look.px(32));
+  const float room = dialog - ui.look.px(40) - ImGui::CalcTextSize(kRest).x;
+  std::string title = shortened(name, room) + kRest;
+  ImGui::PopFont();
+  return title;
+}
+
 std::string before_and_after(int before, int after) {
   return before == after ? "It stays at " + counted(after, "face", "faces") + "."
                          : counted(before, "face", "faces") + " before, " + grouped(after) + " after.";
@@ -117,7 +128,7 @@ void Dialogs::draw_choices(UiContext& context, bool can_flatten) {
 void Dialogs::draw_repair(UiContext& context) {
   UiState& ui = context.ui;
   const Session::Pending* pending = context.session.pending();
-  const std::string title = pending == nullptr ? " " : pending->name + " needs repair";
+  const std::string title = pending == nullptr ? " " : title_of(ui, pending->name);
   const float height = std::max(repair_height_ / ui.look.scale + kFrameHeight, kLeastHeight);
   if (!begin_window(ui, kWidth, height, title)) return;
   if (pending != nullptr) {

@@ -46,6 +46,7 @@ void slider_row(UiContext& context, const Range& range) {
   const std::string tip = range.is_open() ? "Fewer faces, same look: the net follows" : why_no_range(range);
   const bool is_moved =
       slim_slider(ui, "model/faces", width - field - ui.look.px(8), t, tip, range.is_open());
+  ui.is_dragging_faces = ImGui::IsItemActive();
   const int faces = is_moved ? faces_of_slider(t, range.fewest, range.all) : range.wanted;
   if (ImGui::IsItemDeactivated()) {
     wish(context.session, range, faces, false);

@@ -44,6 +44,7 @@ bool is_searching(const UiContext& c) {
 }  // namespace
 
 bool has_progress(const UiContext& context) {
+  if (context.ui.is_dragging_faces) return false;  // the slider has a bar of its own
   if (is_searching(context)) {
     return context.session.state() == RunState::Paused || context.session.figures().seconds > kSoonOver;
   }

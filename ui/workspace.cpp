@@ -151,6 +151,10 @@ void Workspace::draw(Session& session, UiState& ui) {
                                           ui.look.colours.border);
     });
   }
+  if (ui.is_dragging_faces && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {  // the panel went from under it
+    ui.is_dragging_faces = false;
+    session.simplify_to(session.wanted_recipe().faces, false);
+  }
   draw_views(context, ImVec2(side, y), ImVec2(window.x - side, bottom - y));
   area("##status", ImVec2(0, bottom), ImVec2(window.x, window.y - bottom), ImVec2(0, 0), false, [&] {
     ImGui::GetWindowDrawList()->AddLine(ImVec2(0, bottom), ImVec2(window.x, bottom), ui.look.colours.border);
