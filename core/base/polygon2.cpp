@@ -21,16 +21,6 @@ bool is_between(glm::dvec2 a, glm::dvec2 b, glm::dvec2 p) {
          p.y <= std::max(a.y, b.y);
 }
 
-bool segments_meet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
-  const int o1 = orientation(a, b, c);
-  const int o2 = orientation(a, b, d);
-  const int o3 = orientation(c, d, a);
-  const int o4 = orientation(c, d, b);
-  if (o1 * o2 < 0 && o3 * o4 < 0) return true;
-  return (o1 == 0 && is_between(a, b, c)) || (o2 == 0 && is_between(a, b, d)) ||
-         (o3 == 0 && is_between(c, d, a)) || (o4 == 0 && is_between(c, d, b));
-}
-
 bool in_triangle(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 p) {
   return orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0;
 }
@@ -91,6 +81,16 @@ bool merge_parts(Corners p, std::vector<int>& a, const std::vector<int>& b) {
 }
 
 }  // namespace
+
+bool segments_meet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
+  const int o1 = orientation(a, b, c);
+  const int o2 = orientation(a, b, d);
+  const int o3 = orientation(c, d, a);
+  const int o4 = orientation(c, d, b);
+  if (o1 * o2 < 0 && o3 * o4 < 0) return true;
+  return (o1 == 0 && is_between(a, b, c)) || (o2 == 0 && is_between(a, b, d)) ||
+         (o3 == 0 && is_between(c, d, a)) || (o4 == 0 && is_between(c, d, b));
+}
 
 double signed_area(std::span<const glm::dvec2> polygon) {
   double twice = 0;

@@ -17,6 +17,9 @@ bool is_convex(std::span<const glm::dvec2> polygon);
 /// True when no two sides that are not neighbours meet, and neighbours meet only at their corner. Exact.
 bool is_simple(std::span<const glm::dvec2> polygon);
 
+/// True when the segments a b and c d have a point in common, be it an end. Exact.
+bool segments_meet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d);
+
 bool contains(std::span<const glm::dvec2> polygon, glm::dvec2 point);
 
 /// Triangles of a simple counter-clockwise polygon as corner indices, by ear clipping; n-2 of them, of which

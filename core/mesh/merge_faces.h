@@ -27,23 +27,28 @@ struct MergedFaces {
   /// constructor accepts it: Mesh(soup, is_flipped, face_source).
   PolygonSoup soup;
   std::vector<bool> is_flipped;
-  std::vector<int> face_source;              ///< index in the file of the group's first face
-  std::vector<std::vector<FaceId>> sources;  ///< faces of the mesh that became this one, ascending
-  std::vector<VertexId> point_source;        ///< vertex of the mesh that became this point
-  int n_before = 0;                          ///< faces of the mesh
-  int n_groups = 0;                          ///< polygons made of several faces
-  int n_points_dropped = 0;                  ///< vertices of the mesh that are gone
+  std::vector<int> face_source;  ///< index in the file of the group's first face
+  /// Faces of the mesh that became this one, ascending. Each is in one list only; of a region that was cut
+  /// anew, every part has the faces that it lies nearest to.
+  std::vector<std::vector<FaceId>> sources;
+  std::vector<VertexId> point_source;  ///< vertex of the mesh that became this point
+  int n_before = 0;                    ///< faces of the mesh
+  int n_groups = 0;                    ///< polygons made of several faces
+  int n_points_dropped = 0;            ///< vertices of the mesh that are gone
   int n_split_regions = 0;             ///< flat regions with a hole or a pinch that had to stay in parts
   std::vector<std::string> sentences;  ///< the same for people; says so when there was nothing to do
   [[nodiscard]] int n_after() const { return soup.n_faces(); }
 };
 
 /// Merges neighbouring faces of one plane, one material and one smooth piece of texture (uv an affine map of
-/// the plane within kSameUv) into simple polygons that are flat by kFlatness. Regions with holes, or that
-/// touch themselves, become several simple polygons. Points in the middle of a straight side that only the
-/// two faces beside it have are dropped from both. Borders, genus and components stay; a second call changes
-/// nothing. The same mesh always gives the same result. Throws Error(Usage) when the tolerance is negative or
-/// over ten degrees, or a face to be left alone does not exist.
+/// the plane within kSameUv) into simple polygons that are flat by kFlatness; those with inward corners have
+/// to be flatter still, so that laying them flat shortens no side. Regions with holes, or that touch
+/// themselves, become several polygons, as few as easily found and without inward corners, for what stands on
+/// the rim of a hole must find room in the net; their seams may run where the mesh has no edge. Points in the
+/// middle of a straight side that only the two faces beside it have are dropped from both. Borders, genus and
+/// components stay; a second call changes nothing. The same mesh always gives the same result. Throws
+/// Error(Usage) when the tolerance is negative or over ten degrees, or a face to be left alone does not
+/// exist.
 MergedFaces merge_coplanar_faces(const Mesh& mesh, const MergeOptions& options = {});
 
 /// Inner edges bent by no more than the tolerance, ascending: on a merged mesh the folds that stayed because

@@ -9,6 +9,7 @@
 
 #include "core/base/polygon2.h"
 #include "core/base/predicates.h"
+#include "core/mesh/convex_cuts.h"
 
 namespace netwright {
 
@@ -16,6 +17,10 @@ namespace {
 
 /// The Mesh measures the polygon again after points were dropped; what is flat here must be flat there.
 constexpr double kFlatEnough = 0.9 * kFlatness;
+
+/// A side of a polygon with inward corners may lose this length when it is laid flat, in mean edges: with
+/// what the neighbour's side may lose it stays below what the search counts as an overlap.
+constexpr double kLostLength = kSolveDepth / 4;
 
 }  // namespace
 
@@ -35,7 +40,7 @@ FaceId PieceMerger::find(FaceId f) {
   return f;
 }
 
-std::vector<MergedPiece> PieceMerger::merge(std::span<const FaceId> region) {
+std::vector<MergedPiece> PieceMerger::merge(std::span<const FaceId> region, JoinRule rule) {
   for (const FaceId f : region) {
     is_inside_[f] = 1;
     parent_[f] = f;
@@ -49,8 +54,9 @@ std::vector<MergedPiece> PieceMerger::merge(std::span<const FaceId> region) {
   std::vector<HalfedgeId> waiting = inner_edges(region);
   for (std::size_t before = waiting.size() + 1; waiting.size() < before;) {
     before = waiting.size();
-    std::erase_if(waiting,
-                  [&](HalfedgeId h) { return find(mesh_.face(h)) == find(mesh_.neighbour(h)) || join(h); });
+    std::erase_if(waiting, [&](HalfedgeId h) {
+      return find(mesh_.face(h)) == find(mesh_.neighbour(h)) || join(h, rule);
+    });
   }
   std::map<FaceId, MergedPiece> by_root;
   for (const FaceId f : region) {
@@ -100,7 +106,7 @@ std::vector<HalfedgeId> PieceMerger::inner_edges(std::span<const FaceId> region)
 }
 
 /// Joins the parts on both sides of h when the union is a simple polygon again.
-bool PieceMerger::join(HalfedgeId h) {
+bool PieceMerger::join(HalfedgeId h, JoinRule rule) {
   const FaceId a = find(mesh_.face(h));
   const FaceId b = find(mesh_.neighbour(h));
   const int room = std::min(loop_size_[a], loop_size_[b]) - 1;
@@ -125,6 +131,8 @@ bool PieceMerger::join(HalfedgeId h) {
   const HalfedgeId after_a = next_[last];
   const HalfedgeId before_b = prev_[first_b];
   const HalfedgeId after_b = next_[last_b];
+  if (rule == JoinRule::Convex && (turns_inward(before_a, after_b) || turns_inward(before_b, after_a)))
+    return false;
   next_[before_a] = after_b;
   prev_[after_b] = before_a;
   next_[before_b] = after_a;
@@ -133,6 +141,16 @@ bool PieceMerger::join(HalfedgeId h) {
   parent_[root == a ? b : a] = root;
   loop_size_[root] = size;
   return true;
+}
+
+/// Would the corner between two halfedges of one plane, the first ending where the second starts, be an
+/// inward one?
+bool PieceMerger::turns_inward(HalfedgeId in, HalfedgeId out) const {
+  const glm::dvec3 here = mesh_.position(out);
+  const glm::dvec3 way_in = here - mesh_.position(in);
+  const glm::dvec3 way_out = mesh_.position(mesh_.to(out)) - here;
+  const double left = glm::dot(glm::cross(way_in, way_out), mesh_.normal(mesh_.face(out)));
+  return std::atan2(left, glm::dot(way_in, way_out)) < -kStraightTurn;
 }
 
 /// Has the loop that runs from `first` to `last` along the other part a vertex in common with it besides?
@@ -159,31 +177,80 @@ bool PieceMerger::touches(HalfedgeId corner, FaceId piece) {
   return false;
 }
 
-PolygonKind kind_of(std::span<const glm::dvec3> corners) {
+namespace {
+
+struct Frame {
+  glm::dvec3 centre{0};
+  glm::dvec3 normal{0};
+  double area = 0;
+  double longest_side = 0;
+  double size = 0;  ///< longest side or diagonal
+  glm::dvec3 x{0};
+  glm::dvec3 y{0};
+};
+
+/// Measures as the Mesh does: mean of the corners and Newell's vector area.
+Frame frame_of(std::span<const glm::dvec3> corners) {
   const std::size_t n = corners.size();
-  if (n < 3) return PolygonKind::NotSimple;
-  glm::dvec3 centre(0);
-  for (const glm::dvec3& p : corners) centre += p / static_cast<double>(n);
+  Frame frame;
+  for (const glm::dvec3& p : corners) frame.centre += p / static_cast<double>(n);
   glm::dvec3 vector_area(0);
-  double size = 0;
   glm::dvec3 side(0);
   for (std::size_t i = 0; i < n; ++i) {
     const glm::dvec3& next = corners[(i + 1) % n];
-    vector_area += glm::cross(corners[i] - centre, next - centre) * 0.5;
+    vector_area += glm::cross(corners[i] - frame.centre, next - frame.centre) * 0.5;
     if (glm::length(next - corners[i]) > glm::length(side)) side = next - corners[i];
-    for (std::size_t j = i + 1; j < n; ++j) size = std::max(size, glm::length(corners[j] - corners[i]));
+    for (std::size_t j = i + 1; j < n; ++j)
+      frame.size = std::max(frame.size, glm::length(corners[j] - corners[i]));
   }
-  const double area = glm::length(vector_area);
-  if (!(area > 2 * kDegenerateHeight * size * size)) return PolygonKind::NotSimple;
-  const glm::dvec3 normal = vector_area / area;
-  const glm::dvec3 x = glm::normalize(side - normal * glm::dot(side, normal));
-  const glm::dvec3 y = glm::cross(normal, x);
+  frame.longest_side = glm::length(side);
+  frame.area = glm::length(vector_area);
+  if (!(frame.area > 2 * kDegenerateHeight * frame.size * frame.size)) return frame;
+  frame.normal = vector_area / frame.area;
+  frame.x = glm::normalize(side - frame.normal * glm::dot(side, frame.normal));
+  frame.y = glm::cross(frame.normal, frame.x);
+  return frame;
+}
+
+std::vector<glm::dvec2> projected(std::span<const glm::dvec3> corners, const Frame& frame) {
   std::vector<glm::dvec2> flat;
-  for (const glm::dvec3& p : corners) {
-    if (n > 3 && std::abs(glm::dot(p - centre, normal)) > kFlatEnough * size) return PolygonKind::Uneven;
-    flat.emplace_back(glm::dot(p - centre, x), glm::dot(p - centre, y));
+  for (const glm::dvec3& p : corners)
+    flat.emplace_back(glm::dot(p - frame.centre, frame.x), glm::dot(p - frame.centre, frame.y));
+  return flat;
+}
+
+/// Does laying the polygon flat keep the length of every side, for the search's purposes?
+bool keeps_lengths(std::span<const glm::dvec3> corners, const Frame& frame, double mean_edge) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3 side = corners[(i + 1) % corners.size()] - corners[i];
+    const double length = glm::length(side);
+    const double rise = glm::dot(side, frame.normal);
+    // length - sqrt(length² - rise²), without the cancellation
+    const double lost = rise * rise / (length + std::sqrt(std::max(0.0, length * length - rise * rise)));
+    if (!(lost <= kLostLength * mean_edge)) return false;
   }
-  return is_convex(flat) || is_simple(flat) ? PolygonKind::Paper : PolygonKind::NotSimple;
+  return true;
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> laid_flat(std::span<const glm::dvec3> corners) {
+  return projected(corners, frame_of(corners));
+}
+
+PolygonKind kind_of(std::span<const glm::dvec3> corners, double mean_edge) {
+  if (corners.size() < 3) return PolygonKind::NotSimple;
+  const Frame frame = frame_of(corners);
+  if (!(frame.area > 2 * kDegenerateHeight * frame.size * frame.size)) return PolygonKind::NotSimple;
+  if (corners.size() == 3) return PolygonKind::Paper;
+  for (const glm::dvec3& p : corners) {
+    if (std::abs(glm::dot(p - frame.centre, frame.normal)) > kFlatEnough * frame.longest_side)
+      return PolygonKind::Uneven;
+  }
+  const std::vector<glm::dvec2> flat = projected(corners, frame);
+  if (is_convex(flat)) return PolygonKind::Paper;
+  if (!keeps_lengths(corners, frame, mean_edge)) return PolygonKind::Uneven;
+  return is_simple(flat) ? PolygonKind::Paper : PolygonKind::NotSimple;
 }
 
 }  // namespace netwright

@@ -172,7 +172,8 @@ bool StraightSides::is_spoiled(std::size_t piece) const {
   for (const HalfedgeId h : pieces_[piece].loop) {
     if (is_dropped_[mesh_.from(h)] == 0) corners.push_back(mesh_.position(h));
   }
-  return corners.size() < pieces_[piece].loop.size() && kind_of(corners) != PolygonKind::Paper;
+  return corners.size() < pieces_[piece].loop.size() &&
+         kind_of(corners, mesh_.mean_edge()) != PolygonKind::Paper;
 }
 
 }  // namespace netwright
