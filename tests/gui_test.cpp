@@ -482,6 +482,19 @@ TEST(RepairDialog, SaysWhatIsWrongAndRepairsOnEnter) {
   EXPECT_TRUE(gui.widgets.find("model/faces").has_value()) << "the panel tells what was done";
 }
 
+TEST(RepairDialog, LeavesBothViewsWholeWhenNoModelWasOpenBefore) {
+  Gui gui;
+  const TemporaryFolder folder;
+  drop_careless_ball(gui, folder);
+  gui.click("dialog/accept");
+  gui.point({2, 2});
+  const WidgetRect net = gui.rect("net/picture");
+  const glm::ivec2 edge(static_cast<int>(net.min.x) + 6, static_cast<int>(net.min.y) + 60);
+  const Image picture = gui.window.read_pixels();
+  EXPECT_NEAR(brightness(picture, edge), brightness(picture, edge + glm::ivec2(80, 0)), 1)
+      << "the splitter covers the desk";
+}
+
 TEST(RepairDialog, CancelAndEscapeLeaveTheModelThatWasThere) {
   Gui gui;
   const TemporaryFolder folder;

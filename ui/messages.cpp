@@ -68,7 +68,8 @@ void take_messages(UiContext& context) {
   for (const Message& message : context.session.take_messages()) {
     if (message.kind == Message::Kind::Error) {
       context.ui.error = message.text;
-    } else {
+    } else if (message.kind != Message::Kind::Good || !context.ui.is_dragging_faces) {
+      // While the slider is held a net is found at every stop; only the last one is news.
       add_toast(context.ui, message.text, message.kind == Message::Kind::Good);
     }
   }

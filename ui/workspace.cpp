@@ -33,9 +33,10 @@ void area(const char* name, ImVec2 min, ImVec2 size, ImVec2 padding, bool can_sc
   ImGui::SetNextWindowPos(min);
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));  // the splitter is that thin
   const auto scrolling = can_scroll ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
   const bool is_visible = ImGui::Begin(name, nullptr, kFixed | scrolling);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   if (is_visible) content();
   ImGui::End();
 }
