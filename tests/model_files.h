@@ -144,6 +144,52 @@ inline std::string to_zip(const std::vector<std::pair<std::string, std::string>>
   return bytes;
 }
 
+inline std::string to_dae(const PolygonSoup& soup) {
+  std::ostringstream text;
+  text
+      << R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">)"
+      << R"(<asset><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id="g"><mesh>)"
+      << R"(<source id="p"><float_array id="pa" count=")" << 3 * soup.points.size() << "\">";
+  for (const glm::dvec3& p : soup.points) text << p.x << ' ' << p.y << ' ' << p.z << ' ';
+  text
+      << R"(</float_array><technique_common><accessor source="#pa" stride="3" count=")" << soup.points.size()
+      << R"("><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>)"
+      << R"(</accessor></technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/>)"
+      << R"(</vertices><polylist count=")" << soup.n_faces()
+      << R"("><input semantic="VERTEX" source="#v" offset="0"/><vcount>)";
+  for (int f = 0; f < soup.n_faces(); ++f) text << soup.face(f).size() << ' ';
+  text << "</vcount><p>";
+  for (const int corner : soup.corners) text << corner << ' ';
+  text << R"(</p></polylist></mesh></geometry></library_geometries><library_visual_scenes>)"
+       << R"(<visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene>)"
+       << R"(</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+  return text.str();
+}
+
+/// Triangles only.
+inline std::string to_3ds(const PolygonSoup& soup) {
+  const auto chunk = [](std::uint16_t id, const std::string& content) {
+    std::string bytes;
+    append(bytes, id);
+    append(bytes, static_cast<std::uint32_t>(content.size() + 6));
+    return bytes + content;
+  };
+  std::string points;
+  append(points, static_cast<std::uint16_t>(soup.points.size()));
+  for (const glm::dvec3& p : soup.points) {
+    for (int i = 0; i < 3; ++i) append(points, static_cast<float>(p[i]));
+  }
+  std::string faces;
+  append(faces, static_cast<std::uint16_t>(soup.n_faces()));
+  for (int f = 0; f < soup.n_faces(); ++f) {
+    for (const int corner : soup.face(f)) append(faces, static_cast<std::uint16_t>(corner));
+    append(faces, std::uint16_t{7});
+  }
+  const std::string object =
+      std::string("model") + '\0' + chunk(0x4100, chunk(0x4110, points) + chunk(0x4120, faces));
+  return chunk(0x4D4D, chunk(0x3D3D, chunk(0x4000, object)));
+}
+
 /// Triangles only.
 inline std::string to_3mf(const PolygonSoup& soup) {
   std::ostringstream model;

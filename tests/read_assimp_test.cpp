@@ -91,6 +91,29 @@ TEST(Read3mf, RefusesAnArchiveThatIsCutShort) {
   EXPECT_NE(refusal("a.3mf", bytes.substr(0, bytes.size() / 2)).find("a.3mf: "), std::string::npos);
 }
 
+TEST(ReadCollada, ReadsPolygonsAsTheyAre) {
+  const PolygonSoup solid = shapes::archimedean_solids().back();
+  expect_same_shape("a.dae", to_dae(solid), solid);
+}
+
+TEST(ReadCollada, RefusesWhatIsCutShortOrOnlyCalledSo) {
+  const std::string bytes = to_dae(shapes::icosphere(2));
+  EXPECT_NE(refusal("a.dae", bytes.substr(0, bytes.size() / 2)).find("a.dae: "), std::string::npos);
+  EXPECT_NE(refusal("a.dae", "<svg></svg>").find("not that of a Collada file"), std::string::npos);
+}
+
+TEST(Read3ds, ReadsTriangles) {
+  const PolygonSoup sphere = shapes::icosphere(2);
+  PolygonSoup upright = sphere;  // z up in the file, y up once it is read
+  for (glm::dvec3& p : upright.points) p = {p.x, p.z, -p.y};
+  expect_same_shape("a.3ds", to_3ds(sphere), upright);
+}
+
+TEST(Read3ds, RefusesWhatIsCutShort) {
+  const std::string bytes = to_3ds(shapes::icosphere(2));
+  EXPECT_NE(refusal("a.3ds", bytes.substr(0, bytes.size() / 2)).find("a.3ds: "), std::string::npos);
+}
+
 TEST(ReadInChild, RefusesEveryBrokenBeginning) {
   const PolygonSoup sphere = shapes::icosphere(1);
   for (const auto& [name, bytes] : {std::pair<std::string, std::string>{"a.stl", to_binary_stl(sphere)},

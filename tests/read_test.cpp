@@ -95,7 +95,8 @@ TEST(Read, KnowsAFormatByItsContentWhateverItsName) {
   const PolygonSoup sphere = shapes::icosphere(1);
   for (const std::string& bytes :
        {shapes::to_obj(sphere), testing::to_binary_stl(sphere), testing::to_text_stl(sphere),
-        testing::to_text_ply(sphere), testing::to_off(sphere), testing::to_glb(sphere)}) {
+        testing::to_text_ply(sphere), testing::to_off(sphere), testing::to_glb(sphere),
+        testing::to_dae(sphere), testing::to_3ds(sphere)}) {
     EXPECT_EQ(read_soup_bytes("unknown", bytes).n_faces(), 20);
     EXPECT_EQ(read_soup_bytes("wrong.3mf", bytes).n_faces(), 20);
   }
@@ -164,7 +165,8 @@ TEST(ModelFormats, ListEachExtensionOnce) {
     EXPECT_FALSE(format.label.empty());
     extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
   }
-  EXPECT_EQ(extensions, (std::vector<std::string_view>{"obj", "glb", "gltf", "stl", "ply", "off", "3mf"}));
+  EXPECT_EQ(extensions,
+            (std::vector<std::string_view>{"obj", "glb", "gltf", "stl", "ply", "off", "3mf", "dae", "3ds"}));
   EXPECT_TRUE(is_model_path("A Model.STL"));
   EXPECT_FALSE(is_model_path("picture.png"));
   EXPECT_FALSE(is_model_path("obj"));

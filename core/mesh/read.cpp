@@ -61,7 +61,7 @@ namespace {
 
 using readers::refuse;
 
-enum class Kind { Obj, Gltf, Stl, Ply, Off, ThreeMf };
+enum class Kind { Obj, Gltf, Stl, Ply, Off, ThreeMf, Dae, ThreeDs };
 
 constexpr std::array<std::string_view, 1> kObj{"obj"};
 constexpr std::array<std::string_view, 2> kGltf{"glb", "gltf"};
@@ -69,15 +69,20 @@ constexpr std::array<std::string_view, 1> kStl{"stl"};
 constexpr std::array<std::string_view, 1> kPly{"ply"};
 constexpr std::array<std::string_view, 1> kOff{"off"};
 constexpr std::array<std::string_view, 1> kThreeMf{"3mf"};
+constexpr std::array<std::string_view, 1> kDae{"dae"};
+constexpr std::array<std::string_view, 1> kThreeDs{"3ds"};
 
 /// In the order of Kind.
-constexpr std::array<ModelFormat, 6> kFormats{{
+constexpr std::array<ModelFormat, 8> kFormats{{
     {"Wavefront OBJ", kObj, UpAxis::Y, "materials and textures"},
     {"glTF", kGltf, UpAxis::Y, "materials and textures"},
     {"STL", kStl, UpAxis::Z, ""},
     {"PLY", kPly, UpAxis::Z, ""},
     {"OFF", kOff, UpAxis::Z, ""},
     {"3MF", kThreeMf, UpAxis::Z, ""},
+    // Reading turns these two: Collada files by what they say of themselves, 3DS files from z up to y up.
+    {"Collada", kDae, UpAxis::Y, ""},
+    {"3DS", kThreeDs, UpAxis::Y, ""},
 }};
 
 // Far above any model made for paper; reading more would take the machine's memory before anyone could say
@@ -154,17 +159,27 @@ bool has_obj_point(std::string_view text) {
          text.find("\rv ") != std::string_view::npos || text.find("\nv\t") != std::string_view::npos;
 }
 
+/// A 3DS file is one chunk of type 4D4D that says how long it is.
+bool is_3ds(std::string_view bytes) {
+  if (bytes.size() < 6 || !bytes.starts_with("MM")) return false;
+  std::uint32_t length = 0;
+  std::memcpy(&length, bytes.data() + 2, sizeof length);
+  return length == bytes.size();
+}
+
 /// The format that the bytes themselves speak of.
 std::optional<Kind> kind_by_content(std::string_view bytes) {
   if (bytes.starts_with("glTF")) return Kind::Gltf;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Kind::Ply;
   if (is_binary_stl(bytes)) return Kind::Stl;
+  if (is_3ds(bytes)) return Kind::ThreeDs;
   const std::string_view start = without_blank_start(bytes).substr(0, 1 << 16);
   if (start.find('\0') != std::string_view::npos) return std::nullopt;
   const std::string_view word = start.substr(0, start.find_first_of(" \t\r\n"));
   if (word.size() <= 5 && word.ends_with("OFF")) return Kind::Off;
   if (word == "solid" && start.find("facet") != std::string_view::npos) return Kind::Stl;
   if (word.starts_with('{') && start.find("\"asset\"") != std::string_view::npos) return Kind::Gltf;
+  if (word.starts_with('<') && start.find("<COLLADA") != std::string_view::npos) return Kind::Dae;
   if (has_obj_point(start)) return Kind::Obj;
   return std::nullopt;
 }
@@ -188,7 +203,8 @@ Kind kind_of(const std::string& name, std::string_view bytes) {
            "this is no model in a format that can be read; export it as one of " + known_extensions() + ".");
   }
   const bool has_nul = bytes.substr(0, 4096).find('\0') != std::string_view::npos;
-  if (*kind == Kind::ThreeMf || (*kind == Kind::Obj && has_nul)) {
+  const bool has_a_mark = *kind == Kind::ThreeMf || *kind == Kind::Dae || *kind == Kind::ThreeDs;
+  if (has_a_mark || (*kind == Kind::Obj && has_nul)) {
     const std::string label(kFormats[static_cast<std::size_t>(*kind)].label);
     refuse(name, "its content is not that of a " + label + " file; export the model again.");
   }
@@ -207,6 +223,8 @@ PolygonSoup read_kind(Kind kind, const std::string& name, std::string_view bytes
     case Kind::Stl:
     case Kind::Ply:
     case Kind::ThreeMf:
+    case Kind::Dae:
+    case Kind::ThreeDs:
       break;
   }
   const ModelFormat& format = kFormats[static_cast<std::size_t>(kind)];

@@ -1,4 +1,4 @@
-// STL, PLY and 3MF through Assimp without any post-processing. Runs only in the helper program
+// STL, PLY, 3MF, Collada and 3DS through Assimp without any post-processing. Runs only in the helper program
 // (read_helper.cpp), never in the editor's own process.
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>

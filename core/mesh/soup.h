@@ -13,8 +13,8 @@ namespace netwright {
 
 struct Image;
 
-/// The model's up direction, by the convention of its file format (y for OBJ and glTF, z for STL, PLY, OFF,
-/// 3MF).
+/// The model's up direction, by the convention of its file format: y for OBJ and glTF, z for STL, PLY, OFF
+/// and 3MF. Collada and 3DS models are turned y up when they are read.
 enum class UpAxis { Y, Z };
 
 struct Material {
