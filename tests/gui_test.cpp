@@ -600,7 +600,10 @@ TEST(ModelPanel, AWholeDragOfTheSliderIsOneUndoStep) {
   gui.frames(3);
   ASSERT_TRUE(until_rest(gui));
   EXPECT_LT(n_faces(gui), 200U);
+  EXPECT_EQ(gui.session().undo_label(), "Undo unfold");
+  gui.key('Z', kControl);
   EXPECT_EQ(gui.session().undo_label(), "Undo simplify");
+  EXPECT_LT(n_faces(gui), 200U);
   gui.key('Z', kControl);
   EXPECT_EQ(n_faces(gui), 370U);
   EXPECT_FALSE(gui.session().can_undo());

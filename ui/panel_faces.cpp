@@ -40,12 +40,13 @@ std::string why_no_range(const Range& range) {
 
 void slider_row(UiContext& context, const Range& range) {
   UiState& ui = context.ui;
-  const float width = ImGui::GetContentRegionAvail().x - ui.look.px(16);
   const float field = ui.look.px(72);
+  // A scroll bar that comes while the slider is held must not change what the slider says.
+  if (!ui.is_dragging_faces)
+    ui.faces_slider_width = ImGui::GetContentRegionAvail().x - ui.look.px(24) - field;
   auto t = static_cast<float>(slider_of_faces(range.wanted, range.fewest, range.all));
   const std::string tip = range.is_open() ? "Fewer faces, same look: the net follows" : why_no_range(range);
-  const bool is_moved =
-      slim_slider(ui, "model/faces", width - field - ui.look.px(8), t, tip, range.is_open());
+  const bool is_moved = slim_slider(ui, "model/faces", ui.faces_slider_width, t, tip, range.is_open());
   ui.is_dragging_faces = ImGui::IsItemActive();
   const int faces = is_moved ? faces_of_slider(t, range.fewest, range.all) : range.wanted;
   if (ImGui::IsItemDeactivated()) {

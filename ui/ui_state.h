@@ -59,6 +59,7 @@ struct UiState {
   bool wants_home = false;
   FaceId wants_centre;  ///< becomes centre_now at the next frame, for both views alike
   FaceId centre_now;
+  float faces_slider_width = 0;    ///< of the simplify slider
   bool is_dragging_faces = false;  ///< the simplify slider is held: nothing around it may jump
   bool wants_lit_in_view = false;  ///< fly to lit_faces
   bool wants_quit = false;

@@ -48,6 +48,7 @@ void Session::Impl::edit(std::string label, Project next) {
 void Session::Impl::move_in_history(void (History::*move)()) {
   end_replay();
   discard_run();
+  has_net_in_step = false;
   if (is_unfinished && project().tree && move == &History::undo) {
     drop_result();
     return;

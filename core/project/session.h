@@ -89,7 +89,8 @@ class Session {
   [[nodiscard]] Recipe wanted_recipe() const;
   void set_recipe(const Recipe& recipe, const std::string& label);  ///< label as in "Undo <label>"
   /// The simplify slider: at most so many faces, 0 = all. While `is_dragging`, every new mesh is unfolded at
-  /// once, the latest wish waits until the mesh in hand is shown, and the whole drag is one undo step.
+  /// once, the latest wish waits until the mesh in hand is shown, and the whole drag is one undo step;
+  /// the net found at its end is another one.
   void simplify_to(int faces, bool is_dragging);
   /// Faces before simplifying, 0 without a model.
   [[nodiscard]] int n_faces_before_simplifying() const;

@@ -78,6 +78,7 @@ struct Session::Impl {
   void adopt(const OpenedModel& model, const Recipe& recipe, std::shared_ptr<const MadeModel> made);
   void make(Making wanted);
   void cancel_making();
+  void part_net_from_step();
   void derive_again();  ///< after every change of the project
   void export_to(const std::filesystem::path& path);
 
@@ -114,6 +115,8 @@ struct Session::Impl {
   Making making;
   std::optional<Making> queued;  ///< the slider's latest wish; the mesh in hand is shown first
   bool is_dragging = false;      ///< the simplify slider is held
+  bool has_net_in_step =
+      false;  ///< a net was found meanwhile; when the hand lets go it gets its own undo step
   std::shared_ptr<Chore<Derived>> deriving;
   std::vector<std::shared_ptr<Chore<Message>>> exports;
 

@@ -92,6 +92,18 @@ void Session::Impl::cancel_making() {
   queued.reset();
 }
 
+// While the slider is held, mesh and net are one entry that the next mesh takes over. Afterwards the net is a
+// step like any other net, whether it was found before the hand let go or after.
+void Session::Impl::part_net_from_step() {
+  if (!std::exchange(has_net_in_step, false) || !project().tree) return;
+  Project with_net = project();
+  Project without_net = with_net;
+  without_net.tree = nullptr;
+  without_net.run.reset();
+  history.amend(std::move(without_net));
+  history.push("unfold", std::move(with_net));
+}
+
 bool Session::Impl::take_made() {
   const std::shared_ptr<const Made> made = chore_making ? chore_making->result.take() : nullptr;
   if (!made) return false;
@@ -120,6 +132,7 @@ bool Session::Impl::take_made() {
   derived = nullptr;
   drop_result();
   derive_again();
+  has_net_in_step = false;
   if (making.unfolds || was_running) start_run(SearchRun::Start::Running);
   if (queued) {
     Making latest = *std::exchange(queued, std::nullopt);
@@ -179,7 +192,10 @@ void Session::simplify_to(int faces, bool is_dragging) {
   if (!has_model()) return;
   const bool is_same_gesture = std::exchange(impl_->is_dragging, is_dragging);
   Recipe recipe = wanted_recipe();
-  if (faces == recipe.faces) return;
+  if (faces == recipe.faces) {
+    if (!is_dragging && !impl_->chore_making) impl_->part_net_from_step();
+    return;
+  }
   recipe.faces = faces;
   const bool continues = is_same_gesture && impl_->making.continues_step;
   Impl::Making wanted{recipe, "simplify", true, continues};

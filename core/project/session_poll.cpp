@@ -217,7 +217,8 @@ void Session::Impl::accept(const SolveResult& result, const RunSummary& summary)
   settled = stamp(std::make_shared<ShownNet>(
       make_shown_net(layout(project().dual, result.net.tree), result.overlaps, true)));
   Project next = accept_tree(project(), result.net.tree, summary);
-  if (making.continues_step && (is_dragging || chore_making)) {  // still one gesture, and one undo step
+  if (making.continues_step && (is_dragging || chore_making)) {
+    has_net_in_step = true;
     history.amend(std::move(next));
     derive_again();
   } else {
