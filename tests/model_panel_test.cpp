@@ -1,0 +1,271 @@
+// The way of a model that needs work, as a person walks it: the question about a broken file, the report's
+// lines, fewer faces, merged faces, and all of it undone.
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "tests/gui_support.h"
+#include "tests/model_files.h"
+#include "tests/support.h"
+
+namespace netwright::testing {
+namespace {
+
+/// A ball as a careless program writes it: every facet with points of its own, two facets twice, two turned
+/// inside out. 82 facets.
+PolygonSoup careless_ball() {
+  PolygonSoup ball = shapes::icosphere(2);
+  ball.add_face(std::vector<int>(ball.face(3).begin(), ball.face(3).end()));
+  ball.add_face(std::vector<int>(ball.face(60).begin(), ball.face(60).end()));
+  for (const std::size_t f : {11U, 40U}) std::swap(ball.corners[3 * f], ball.corners[3 * f + 1]);
+  return ball;
+}
+
+/// Drops it and waits for the question.
+void drop_careless_ball(Gui& gui, const TemporaryFolder& folder) {
+  gui.window.drop({folder.write("star.stl", to_binary_stl(careless_ball()))});
+  ASSERT_TRUE(gui.until([&] { return gui.session().pending() != nullptr; })) << gui.ui().error;
+  gui.frames(6);
+}
+
+/// Until the mesh that was asked for is there.
+bool until_made(Gui& gui) {
+  return gui.until([&] { return !gui.session().is_making(); });
+}
+
+bool until_rest(Gui& gui) {
+  return gui.until([&] {
+    if (gui.session().state() == RunState::Replaying) gui.session().skip_replay();
+    return gui.session().state() == RunState::Idle && !gui.session().is_making();
+  });
+}
+
+std::size_t n_faces(Gui& gui) { return gui.session().project().dual->mesh().n_faces(); }
+
+TEST(RepairDialog, SaysWhatIsWrongAndRepairsOnEnter) {
+  Gui gui;
+  const TemporaryFolder folder;
+  gui.open_sample("Cube");
+  drop_careless_ball(gui, folder);
+  EXPECT_EQ(gui.session().pending()->name, "star.stl");
+  EXPECT_TRUE(gui.widgets.find("repair/refusal").has_value());
+  EXPECT_TRUE(gui.widgets.find("repair/doubled_faces").has_value());
+  EXPECT_FALSE(gui.widgets.find("repair/flatten").has_value()) << "triangles are flat already";
+  EXPECT_EQ(n_faces(gui), 6U) << "nothing is opened without being asked";
+  gui.key(keys::kEnter);
+  ASSERT_EQ(gui.session().pending(), nullptr);
+  EXPECT_EQ(n_faces(gui), 80U);
+  EXPECT_TRUE(gui.session().project().dual->mesh().is_closed());
+  gui.frames(3);
+  EXPECT_FALSE(gui.widgets.find("dialog/title").has_value());
+  EXPECT_TRUE(gui.widgets.find("model/faces").has_value()) << "the panel tells what was done";
+}
+
+TEST(RepairDialog, LeavesBothViewsWholeWhenNoModelWasOpenBefore) {
+  Gui gui;
+  const TemporaryFolder folder;
+  drop_careless_ball(gui, folder);
+  gui.click("dialog/accept");
+  gui.point({2, 2});
+  const WidgetRect net = gui.rect("net/picture");
+  const glm::ivec2 edge(static_cast<int>(net.min.x) + 6, static_cast<int>(net.min.y) + 60);
+  const Image picture = gui.window.read_pixels();
+  EXPECT_NEAR(brightness(picture, edge), brightness(picture, edge + glm::ivec2(80, 0)), 1)
+      << "the splitter covers the desk";
+}
+
+TEST(RepairDialog, CancelAndEscapeLeaveTheModelThatWasThere) {
+  Gui gui;
+  const TemporaryFolder folder;
+  gui.open_sample("Cube");
+  drop_careless_ball(gui, folder);
+  gui.click("dialog/cancel");
+  EXPECT_EQ(gui.session().pending(), nullptr);
+  EXPECT_EQ(n_faces(gui), 6U);
+  drop_careless_ball(gui, folder);
+  gui.key(keys::kEscape);
+  gui.frames(3);
+  EXPECT_EQ(gui.session().pending(), nullptr);
+  EXPECT_FALSE(gui.widgets.find("dialog/title").has_value());
+  EXPECT_EQ(n_faces(gui), 6U);
+}
+
+TEST(RepairDialog, FitsASmallWindow) {
+  Gui gui({1024, 700}, 2);
+  const TemporaryFolder folder;
+  drop_careless_ball(gui, folder);
+  for (const char* name : {"dialog/title", "dialog/accept", "dialog/cancel"}) {
+    const WidgetRect rect = gui.rect(name);
+    EXPECT_GE(rect.min.x, 0) << name;
+    EXPECT_GE(rect.min.y, 0) << name;
+    EXPECT_LE(rect.max.x, 1024) << name;
+    EXPECT_LE(rect.max.y, 700) << name;
+  }
+}
+
+TEST(RepairDialog, FlattensUnevenFacesWhereThatIsWanted) {
+  Gui gui;
+  const TemporaryFolder folder;
+  PolygonSoup bent = shapes::grid_cube(2);
+  bent.points[0] += glm::dvec3(0.02, 0.03, 0.01);
+  gui.window.drop({folder.write("bent.obj", shapes::to_obj(bent))});
+  ASSERT_TRUE(gui.until([&] { return gui.session().pending() != nullptr; })) << gui.ui().error;
+  gui.frames(6);
+  ASSERT_TRUE(gui.widgets.find("repair/flatten").has_value());
+  gui.click("repair/flatten");
+  ASSERT_TRUE(gui.until([&] { return !gui.session().is_making(); }));
+  gui.frames(3);
+  ASSERT_EQ(gui.session().pending(), nullptr) << gui.ui().error;
+  EXPECT_EQ(n_faces(gui), 24U) << "no face was split";
+  EXPECT_EQ(gui.session().recipe().uneven, UnevenFaces::Flatten);
+}
+
+TEST(ModelPanel, TheWayOfABrokenFileToANetAndAllTheWayBack) {
+  Gui gui;
+  const TemporaryFolder folder;
+  drop_careless_ball(gui, folder);
+  gui.click("dialog/accept");
+  ASSERT_EQ(n_faces(gui), 80U);
+  gui.frames(4);
+
+  const WidgetRect slider = gui.rect("model/faces");
+  const auto at = [&](double share) {
+    return glm::dvec2(slider.min.x + share * (slider.max.x - slider.min.x), slider.centre().y);
+  };
+  gui.point(at(0.98));
+  gui.window.press_mouse();
+  gui.frames();
+  std::size_t before = 80;
+  for (const double share : {0.6, 0.3}) {
+    gui.point(at(share));
+    ASSERT_TRUE(gui.until([&] { return n_faces(gui) < before && gui.session().shown() != nullptr; }))
+        << "the net keeps up while the slider is held";
+    ASSERT_TRUE(until_made(gui));
+    before = n_faces(gui);
+  }
+  gui.window.release_mouse();
+  gui.frames(3);
+  ASSERT_TRUE(until_rest(gui));
+  EXPECT_LT(n_faces(gui), 60U);
+  EXPECT_TRUE(gui.session().shown()->is_proved);
+
+  gui.click("model/merge");
+  ASSERT_TRUE(until_made(gui));
+  EXPECT_TRUE(gui.session().recipe().merges);
+  EXPECT_EQ(gui.session().undo_label(), "Undo merge faces");
+  for (int i = 0; i < 6 && gui.session().can_undo(); ++i) gui.key('Z', kControl);
+  EXPECT_FALSE(gui.session().can_undo());
+  EXPECT_EQ(n_faces(gui), 80U);
+  EXPECT_EQ(gui.session().recipe().faces, 0);
+}
+
+TEST(ModelPanel, AWholeDragOfTheSliderIsOneUndoStep) {
+  Gui gui;
+  gui.open_sample("Bunny");
+  gui.click("section/Model");
+  const WidgetRect slider = gui.rect("model/faces");
+  const auto at = [&](double share) {
+    return glm::dvec2(slider.min.x + share * (slider.max.x - slider.min.x), slider.centre().y);
+  };
+  gui.point(at(0.98));
+  gui.window.press_mouse();
+  for (const double share : {0.7, 0.5, 0.4}) {
+    gui.point(at(share));
+    // Rests until the net of this stop is found, as a person who looks at it does.
+    ASSERT_TRUE(until_rest(gui));
+    gui.frames(3);
+  }
+  gui.window.release_mouse();
+  gui.frames(3);
+  ASSERT_TRUE(until_rest(gui));
+  EXPECT_LT(n_faces(gui), 200U);
+  EXPECT_EQ(gui.session().undo_label(), "Undo unfold");
+  gui.key('Z', kControl);
+  EXPECT_EQ(gui.session().undo_label(), "Undo simplify");
+  EXPECT_LT(n_faces(gui), 200U);
+  gui.key('Z', kControl);
+  EXPECT_EQ(n_faces(gui), 370U);
+  EXPECT_FALSE(gui.session().can_undo());
+}
+
+TEST(ModelPanel, TheNumberOfFacesCanBeTypedAndTakenBack) {
+  Gui gui;
+  gui.open_sample("Bunny");
+  gui.click("section/Model");
+  gui.enter("model/faces-field", "100");
+  ASSERT_TRUE(until_rest(gui));
+  EXPECT_LE(n_faces(gui), 100U);
+  EXPECT_GE(n_faces(gui), 98U);
+  EXPECT_GT(gui.session().deviation_mm(), 0);
+  gui.frames(2);
+  EXPECT_TRUE(gui.rect("model/all").is_enabled);
+  gui.click("model/all");
+  ASSERT_TRUE(until_rest(gui));
+  EXPECT_EQ(n_faces(gui), 370U);
+  gui.frames(2);
+  EXPECT_FALSE(gui.rect("model/all").is_enabled);
+}
+
+TEST(ModelPanel, SimplifyingKeepsTheCameraWhereItWas) {
+  Gui gui;
+  gui.open_sample("Bunny");
+  const glm::dvec2 space = centre(gui.rect("model/picture"));
+  gui.drag(space, space + glm::dvec2(80, 10));
+  const OrbitCamera seen = gui.app.workspace().model_view().camera();
+  gui.session().simplify_to(200, false);
+  ASSERT_TRUE(until_rest(gui));
+  gui.frames(3);
+  ASSERT_LE(n_faces(gui), 200U);
+  EXPECT_EQ(gui.app.workspace().model_view().camera(), seen);
+}
+
+TEST(ModelPanel, TheMenuMergesTheFacesOfOnePlaneAndPartsThemAgain) {
+  Gui gui;
+  gui.session().open_bytes("grid.obj", shapes::to_obj(shapes::grid_cube(4)));
+  ASSERT_TRUE(gui.until([&] { return gui.session().has_model(); }));
+  gui.frames(3);
+  gui.click("menu/Model");
+  gui.click("menu/Merge faces of one plane");
+  ASSERT_TRUE(until_made(gui));
+  EXPECT_EQ(n_faces(gui), 6U);
+  gui.key('M');
+  ASSERT_TRUE(until_made(gui));
+  EXPECT_EQ(n_faces(gui), 96U);
+}
+
+TEST(ModelPanel, AModelWithFewFacesSaysThatItHasNoneToSpare) {
+  Gui gui;
+  gui.open_sample("Cube");
+  gui.click("section/Model");
+  gui.frames(2);
+  EXPECT_FALSE(gui.rect("model/faces").is_enabled);
+  EXPECT_FALSE(gui.rect("model/all").is_enabled);
+}
+
+TEST(ModelPanel, ALineOfTheReportLightsItsFacesAndTurnsTheModelToThem) {
+  Gui gui;
+  // Two cubes that run through each other.
+  const PolygonSoup crossed = shapes::combined(shapes::cube(), shapes::cube(), {0.4, 0.3, 0.2});
+  gui.session().open_bytes("crossed.obj", shapes::to_obj(crossed));
+  ASSERT_TRUE(gui.until([&] { return gui.session().has_model(); })) << gui.ui().error;
+  gui.frames(3);
+  gui.click("section/Model");
+  gui.frames(2);
+  const OrbitCamera before = gui.app.workspace().model_view().camera();
+  const MeshReport::Line* line = gui.session().report()->find(MeshReport::Topic::SelfIntersections);
+  ASSERT_NE(line, nullptr);
+  gui.click("report/self_intersections");
+  gui.frames(30);
+  EXPECT_EQ(gui.ui().lit_faces.size(), line->faces.size());
+  const FaceStates& states = gui.app.workspace().scene().states();
+  for (const FaceId face : gui.ui().lit_faces) EXPECT_TRUE(states.has(face, FaceState::Selected));
+  EXPECT_NE(gui.app.workspace().model_view().camera(), before) << "the camera flies there";
+  gui.click("report/self_intersections");
+  gui.point({2, 2});
+  EXPECT_TRUE(gui.ui().lit_faces.empty());
+  for (const FaceId face : gui.session().project().dual->mesh().faces())
+    EXPECT_FALSE(gui.app.workspace().scene().states().has(face, FaceState::Selected));
+}
+
+}  // namespace
+}  // namespace netwright::testing
