@@ -59,10 +59,17 @@ struct Model {
   std::vector<std::string> notices;
 };
 
+/// Where repairing would help and was not asked for, the refusal ends with how to ask.
+std::string repair_hint(const std::shared_ptr<const PolygonSoup>& soup, Recipe recipe, Progress& progress) {
+  if (recipe.repairs) return "";
+  recipe = {.repairs = true, .uneven = recipe.uneven};
+  return make_model(soup, recipe, nullptr, progress).dual ? " Or add --repair." : "";
+}
+
 Model read_model(const UnfoldCommand& command, Progress& progress) {
   const auto soup = std::make_shared<const PolygonSoup>(read_soup(command.model));
   MadeModel made = make_model(soup, command.recipe, nullptr, progress);
-  if (!made.dual) throw Error(ErrorKind::Unfit, made.refusal);
+  if (!made.dual) throw Error(ErrorKind::Unfit, made.refusal + repair_hint(soup, command.recipe, progress));
   Model model;
   model.notices = std::move(made.done);
   for (const MeshReport::Line& line : made.report.lines) {

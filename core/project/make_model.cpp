@@ -30,7 +30,7 @@ class Maker {
       : source_(std::move(source)), recipe_(recipe), progress_(progress) {}
 
   MadeModel make(const std::shared_ptr<const ModelStages>& before) {
-    if (before && before->source == source_ && has_same_base(before->recipe)) {
+    if (before && before->mesh && before->source == source_ && has_same_base(before->recipe)) {
       stages_ = *before;
     } else {
       prepare_base();
