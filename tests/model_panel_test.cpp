@@ -188,6 +188,19 @@ TEST(ModelPanel, AWholeDragOfTheSliderIsOneUndoStep) {
   EXPECT_FALSE(gui.session().can_undo());
 }
 
+TEST(ModelPanel, AnotherAxisIsUpWithOneClick) {
+  Gui gui;
+  gui.open_sample("Bunny");
+  gui.click("section/Model");
+  gui.click("model/up/Z");
+  ASSERT_TRUE(until_rest(gui));
+  EXPECT_EQ(gui.session().project().dual->mesh().up_axis(), UpAxis::Z);
+  EXPECT_EQ(gui.session().undo_label(), "Undo up axis");
+  gui.click("model/up/Y");
+  ASSERT_TRUE(until_rest(gui));
+  EXPECT_EQ(gui.session().project().dual->mesh().up_axis(), UpAxis::Y);
+}
+
 TEST(ModelPanel, TheNumberOfFacesCanBeTypedAndTakenBack) {
   Gui gui;
   gui.open_sample("Bunny");

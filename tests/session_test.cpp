@@ -241,6 +241,22 @@ TEST_F(SessionTest, DraggingTheSimplifySliderUnfoldsAsItGoesAndIsOneUndoStep) {
   EXPECT_LE(session_.project().dual->mesh().n_faces(), 80u);
 }
 
+TEST_F(SessionTest, AnotherAxisUpKeepsTheNet) {
+  open_and_unfold(shapes::to_obj(shapes::cuboid({2, 1, 3})));
+  const auto tree = session_.project().tree;
+  EXPECT_EQ(session_.project().dual->mesh().height(), 1);
+  Recipe recipe = session_.recipe();
+  recipe.up = UpAxis::Z;
+  session_.set_recipe(recipe, "up axis");
+  ASSERT_TRUE(frames_until([this] { return session_.project().dual->mesh().height() == 3; }));
+  ASSERT_TRUE(frames_until_idle());
+  EXPECT_EQ(session_.project().tree, tree);
+  EXPECT_TRUE(session_.shown()->is_proved);
+  session_.undo();
+  EXPECT_EQ(session_.project().dual->mesh().height(), 1);
+  EXPECT_EQ(session_.project().tree, tree);
+}
+
 TEST_F(SessionTest, MergingIsAStepThatCanBeUndone) {
   open(shapes::to_obj(shapes::grid_cube(3)));
   Recipe recipe = session_.recipe();

@@ -27,10 +27,8 @@ void ModelView::follow_wishes(UiContext& context, const Scene& scene) {
   if (scene.dual() == nullptr) return;
   const Mesh& mesh = scene.dual()->mesh();
   const bool is_new = file_version_ != scene.file_version();
-  if (is_new || ui.wants_home) {
-    camera_.set_up_axis(mesh.up_axis());
-    camera_.reset_direction();
-  }
+  camera_.set_up_axis(mesh.up_axis());
+  if (is_new || ui.wants_home) camera_.reset_direction();
   if (is_new || ui.wants_frame_model) frame_model(camera_, mesh, kShareOfView);
   file_version_ = scene.file_version();
   ui.wants_home = ui.wants_frame_model = false;

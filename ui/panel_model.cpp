@@ -88,6 +88,18 @@ void done_lines(const UiContext& context) {
   }
 }
 
+/// Formats have their customs, programs don't always keep to them.
+void up_row(UiContext& context) {
+  Recipe recipe = context.session.recipe();
+  int chosen = context.session.project().dual->mesh().up_axis() == UpAxis::Y ? 0 : 1;
+  const float width = row(context.ui, "Up") - context.ui.look.px(16);
+  if (segments(context.ui, "model/up", width, {"Y", "Z"}, chosen)) {
+    recipe.up = chosen == 0 ? UpAxis::Y : UpAxis::Z;
+    context.session.set_recipe(recipe, "up axis");
+  }
+  tooltip(context.ui, "Which axis is up: the height is measured along it");
+}
+
 }  // namespace
 
 void panel_model(UiContext& context) {
@@ -101,6 +113,7 @@ void panel_model(UiContext& context) {
   ImGui::Dummy(ImVec2(0, 0));
   for (std::size_t i = 0; i < report->lines.size(); ++i) report_line(context, i, report->lines[i]);
   done_lines(context);
+  up_row(context);
   ImGui::PopStyleVar();
   panel_faces(context);
 }

@@ -13,6 +13,14 @@ Project new_project(const Project& before, std::filesystem::path path,
 }
 
 Project remake(Project project, const Recipe& recipe, std::shared_ptr<const MadeModel> made) {
+  Recipe turned_only = project.recipe;
+  turned_only.up = recipe.up;
+  if (turned_only == recipe) {
+    project.recipe = recipe;
+    project.dual = made->dual;
+    project.made = std::move(made);
+    return project;
+  }
   FaceId root;
   if (project.pinned_root.is_valid()) {
     const int source = project.dual->mesh().face_source(project.pinned_root);

@@ -10,7 +10,8 @@ namespace netwright {
 Project new_project(const Project& before, std::filesystem::path path, std::shared_ptr<const DualGraph> dual);
 
 /// The same file made into another mesh by another recipe. The net of the old mesh goes; the pinned root
-/// stays where its face of the file still has a face.
+/// stays where its face of the file still has a face. Where only another axis is up the faces are the same
+/// ones, and net and root stay.
 Project remake(Project project, const Recipe& recipe, std::shared_ptr<const MadeModel> made);
 
 /// Layout and tree start at `face`, and runs keep it; an invalid face removes the pin. An accepted tree is
