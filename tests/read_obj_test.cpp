@@ -63,6 +63,12 @@ TEST(ReadObj, UnderstandsEveryLineEndAndAByteOrderMark) {
   EXPECT_EQ(read_soup_bytes("a.obj", replaced(kTetrahedron, "f 1 3 2", "f 1 \\\n 3 2  ")).corners, corners);
 }
 
+TEST(ReadObj, ReadsALastLineThatPromisesAnotherOne) {
+  EXPECT_EQ(read_soup_bytes("a.obj", kTetrahedron + "f 3 2 1 \\").n_faces(), 5);
+  const std::string said = refusal("v 0 0 0\nf x \\");
+  EXPECT_NE(said.find("face 1 (line 2)"), std::string::npos) << said;
+}
+
 TEST(ReadObj, TakesHugeAndTinyCoordinates) {
   for (const char* size : {"1e30", "1e-30"}) {
     const std::string text = replaced(kTetrahedron, "1 0 0\n", std::string(size) + " 0 0\n");

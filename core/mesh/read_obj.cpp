@@ -58,7 +58,9 @@ CleanText clean(const std::string& name, std::string_view text) {
   CleanText clean;
   clean.text.reserve(text.size() + 1);
   std::string joined;
-  for (int number = 1; !text.empty(); ++number) {
+  int number = 0;
+  while (!text.empty()) {
+    ++number;
     std::string_view line = next_line(text);
     const std::size_t last = line.find_last_not_of(" \t");
     line = line.substr(0, last == std::string_view::npos ? 0 : last + 1);
@@ -73,7 +75,7 @@ CleanText clean(const std::string& name, std::string_view text) {
       joined.clear();
     }
   }
-  if (!joined.empty()) clean.text.append(joined).push_back('\n');
+  if (!joined.empty()) clean_line(name, joined, number, clean);
   return clean;
 }
 
