@@ -1,0 +1,65 @@
+// Writes small files of every fuzzed format to folders beside each other: what the fuzzers start from.
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/sheet/fold_file.h"
+#include "core/unfold/net.h"
+#include "core/unfold/steepest_edge.h"
+#include "tests/model_files.h"
+#include "tests/support.h"
+
+namespace {
+
+using namespace netwright;
+
+void write(const std::filesystem::path& folder, const std::string& name, const std::string& bytes) {
+  std::filesystem::create_directories(folder);
+  testing::write_file(folder / name, bytes);
+}
+
+std::string fold_of(const PolygonSoup& soup) {
+  auto dual = testing::make_dual(soup);
+  Random random(1);
+  UnfoldTree tree = steepest_edge_tree(*dual, random);
+  return fold_text(to_flat_net(layout(dual, std::move(tree)), 10));
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto at = [&](std::size_t k) {
+      return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U;
+    };
+    const unsigned three = at(i) << 16U | at(i + 1) << 8U | at(i + 2);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? kDigits[three >> (18 - 6 * k) & 63U] : '=';
+  }
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::filesystem::path root = argc > 1 ? argv[1] : "seeds";
+  std::vector<PolygonSoup> soups{shapes::tetrahedron(), shapes::cube(), shapes::letter_l(),
+                                 shapes::cuboid_with_holes(1, 1), shapes::bumpy_patch(2, 2)};
+  soups.push_back(shapes::globe(3, 4));
+  int n = 0;
+  for (const PolygonSoup& soup : soups) {
+    const std::string name = std::to_string(++n);
+    write(root / "off", name, testing::to_off(soup));
+    write(root / "obj", name, shapes::to_obj(soup));
+    write(root / "fold", name, fold_of(soup));
+  }
+  for (const PolygonSoup& soup : {shapes::tetrahedron(), shapes::icosphere(1), shapes::bumpy_patch(2, 2)}) {
+    const std::string uri = "data:application/octet-stream;base64," + base64(testing::gltf_buffer(soup));
+    write(root / "gltf", soup.name + ".text", testing::gltf_text(soup, R"({"mesh":0})", uri));
+    write(root / "gltf", soup.name + ".binary", testing::to_glb(soup));
+  }
+  write(root / "obj", "textured", shapes::to_obj(soups.back(), "library.mtl"));
+  return 0;
+}
