@@ -4,10 +4,23 @@
 set -euo pipefail
 
 if [ "${1:-}" != --inside ]; then
-  for tool in xvfb-run xdotool import compare; do
+  for tool in Xvfb xdotool import compare; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
   done
-  exec timeout 240 xvfb-run -a -s "-screen 0 1600x1000x24" bash "$0" --inside "$@"
+  # The server picks a free number itself; two that start at once could pick the same one, so they queue.
+  numbers=$(mktemp -u)
+  mkfifo "$numbers"
+  exec 9>"${TMPDIR:-/tmp}/netwright_smoke_test.lock"
+  flock 9
+  Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$numbers" 2>/dev/null 9>&- &
+  server=$!
+  trap 'kill "$server" 2>/dev/null || true; rm -f "$numbers"' EXIT
+  read -r number <"$numbers"
+  sleep 1
+  exec 9>&-
+  status=0
+  DISPLAY=:$number timeout 240 bash "$0" --inside "$@" || status=$?
+  exit "$status"
 fi
 
 program=$2
