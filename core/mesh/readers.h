@@ -20,8 +20,8 @@ PolygonSoup read_gltf(const std::string& name, std::string_view bytes, const Com
 
 PolygonSoup read_off(const std::string& name, std::string_view bytes);
 
-/// Reads STL, PLY, 3MF, Collada or 3DS in a child process, so that neither a crash nor a blow-up in the library that
-/// parses them costs the user anything. `extension` is one of "stl", "ply", "3mf", "dae", "3ds".
+/// Reads STL, PLY, 3MF, Collada or 3DS in a child process, so that neither a crash nor a blow-up in the
+/// library that parses them costs the user anything. `extension` is one of "stl", "ply", "3mf", "dae", "3ds".
 PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension);
 
 /// Refuses a file whose header promises more than the file can hold, before anyone allocates that much.
