@@ -75,7 +75,7 @@ struct Session::Impl {
 
   // Chores.
   void open(ModelSource source);
-  void adopt(const OpenedModel& model, const Recipe& recipe, std::shared_ptr<const MadeModel> made);
+  void adopt(const OpenedModel& model, const Recipe& recipe, const std::shared_ptr<const MadeModel>& made);
   void make(Making wanted);
   void cancel_making();
   void part_net_from_step();

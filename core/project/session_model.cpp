@@ -51,7 +51,7 @@ bool Session::Impl::take_opened() {
 
 // A model takes the place of the present one, with a history of its own.
 void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
-                          std::shared_ptr<const MadeModel> made) {
+                          const std::shared_ptr<const MadeModel>& made) {
   cancel_making();
   discard_run();
   playing.reset();
