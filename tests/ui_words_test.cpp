@@ -59,12 +59,23 @@ TEST(FacesSlider, GoesFromTheFewestToAllAndBack) {
 }
 
 TEST(StatusWords, GiveLengthsAndFacesAsPeopleReadThem) {
-  EXPECT_EQ(length_text(0.002), "under 0.01 mm");
-  EXPECT_EQ(length_text(0.034), "0.03 mm");
-  EXPECT_EQ(length_text(0.84), "0.8 mm");
-  EXPECT_EQ(length_text(9.97), "10 mm");
+  constexpr LengthUnit kMm = LengthUnit::Millimetre;
+  EXPECT_EQ(length_text(0.002, kMm), "under 0.01 mm");
+  EXPECT_EQ(length_text(0.034, kMm), "0.03 mm");
+  EXPECT_EQ(length_text(0.84, kMm), "0.8 mm");
+  EXPECT_EQ(length_text(9.97, kMm), "10 mm");
+  EXPECT_EQ(area_text(215.9, 279.4, kMm), "216 × 279 mm");
   EXPECT_EQ(faces_text(400, 12000), "400 of 12\u2009000 faces");
   EXPECT_EQ(faces_text(370, 370), "370 faces");
+}
+
+TEST(StatusWords, GiveLengthsInInchesWhereThatIsWanted) {
+  constexpr LengthUnit kInch = LengthUnit::Inch;
+  EXPECT_EQ(length_text(0.01, kInch), "under 0.001 in");
+  EXPECT_EQ(length_text(0.8, kInch), "0.031 in");
+  EXPECT_EQ(length_text(31.75, kInch), "1.25 in");
+  EXPECT_EQ(length_text(317.5, kInch), "12.5 in");
+  EXPECT_EQ(area_text(215.9, 279.4, kInch), "8.5 × 11 in");
 }
 
 TEST(Shortcuts, AreNamedAsOnTheKeyboardAndNeverTwice) {
@@ -82,6 +93,16 @@ TEST(Shortcuts, AreNamedAsOnTheKeyboardAndNeverTwice) {
   }
 }
 
+TEST(Settings, KnowWhichPaperPrintersHoldWhere) {
+  for (const char* locale : {"en_US.UTF-8", "fr_CA", "es_MX.UTF-8@x"})
+    EXPECT_EQ(paper_of_locale(locale), "Letter") << locale;
+  for (const char* locale : {"de_DE.UTF-8", "en_GB", "C", "C.UTF-8", "POSIX", "", "US"})
+    EXPECT_EQ(paper_of_locale(locale), "A4") << locale;
+  Settings settings;
+  settings.paper = "A3";
+  EXPECT_EQ(paper_of(settings), "A3") << "what the user chose counts";
+}
+
 TEST(SettingsFile, ComesBackAsItWasSaved) {
   const TemporaryFolder folder;
   Settings settings;
@@ -89,6 +110,19 @@ TEST(SettingsFile, ComesBackAsItWasSaved) {
   settings.scale_percent = 150;
   settings.splitter = 0.25F;
   settings.show_tree = false;
+  settings.unit = LengthUnit::Inch;
+  settings.paper = "Letter";
+  settings.autosave_minutes = 7;
+  settings.threads = 3;
+  settings.streams = 4;
+  settings.time_limit_s = 0;
+  settings.uses_desktop_dialogs = true;
+  settings.is_open(Section::Paper) = false;
+  settings.is_open(Section::History) = true;
+  settings.is_done(FirstHint::Runs) = true;
+  settings.window_width = 1200;
+  settings.window_x = -40;
+  settings.is_maximized = true;
   settings.recent = {"/tmp/a b.obj", "/tmp/ü.stl"};
   const auto file = folder.path() / "deep" / "settings.conf";
   ASSERT_TRUE(save_settings(settings, file));
@@ -98,8 +132,10 @@ TEST(SettingsFile, ComesBackAsItWasSaved) {
 TEST(SettingsFile, NonsenseMeansTheDefaults) {
   const TemporaryFolder folder;
   EXPECT_EQ(load_settings(folder.path() / "none"), Settings());
-  const auto file = folder.write(
-      "settings.conf", "theme = purple\nscale_percent = -3\nsplitter = 7\nshow_tree = maybe\n===\nx\n");
+  const auto file =
+      folder.write("settings.conf",
+                   "theme = purple\nunit = ell\npaper = Foolscap\nthreads = 1000\nautosave_minutes = "
+                   "-2\nscale_percent = -3\nsplitter = 7\nshow_tree = maybe\n===\nx\n");
   EXPECT_EQ(load_settings(file), Settings());
 }
 

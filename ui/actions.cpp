@@ -127,7 +127,7 @@ void frame_all(UiContext& c) { c.ui.wants_frame_model = c.ui.wants_frame_net = t
 
 void show_report(UiContext& c) {
   c.ui.settings.is_side_open = true;
-  c.ui.is_open[static_cast<int>(Section::Model)] = true;
+  c.ui.settings.is_open(Section::Model) = true;
 }
 
 constexpr int kUsualFaces = 400;  ///< what scissors and an evening can cope with

@@ -146,7 +146,7 @@ void Dialogs::draw_repair(UiContext& context) {
     }
   }
   if (present_ == Dialog::Repair && context.session.pending() == nullptr) {
-    ui.is_open[static_cast<int>(Section::Model)] = true;  // where one reads what was done
+    ui.settings.is_open(Section::Model) = true;  // where one reads what was done
     finish(context);
   }
   ImGui::EndPopup();

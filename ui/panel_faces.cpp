@@ -75,7 +75,8 @@ void figures(const UiContext& context, const Range& range) {
   ImGui::BeginGroup();
   ImGui::PushFont(ui.look.fonts.small);
   text_muted(ui, faces_text(faces, range.all) + (is_simplified ? "," : ""));
-  if (is_simplified) text_muted(ui, "off by at most " + length_text(session.deviation_mm()));
+  if (is_simplified)
+    text_muted(ui, "off by at most " + length_text(session.deviation_mm(), ui.settings.unit));
   ImGui::PopFont();
   ImGui::EndGroup();
   note_widget(ui, "model/figures");

@@ -31,7 +31,7 @@ struct SectionLine {
   void (*body)(UiContext&);
 };
 
-constexpr std::array<SectionLine, 3> kSections{
+constexpr std::array<SectionLine, 3> kSectionLines{
     SectionLine{Section::Model, "Model", model_summary, panel_model},
     SectionLine{Section::Solve, "Solve", solve_summary, panel_solve},
     SectionLine{Section::Paper, "Paper", paper_summary, panel_paper}};
@@ -48,8 +48,8 @@ void line_below(const UiState& ui) {
 void side_panel(UiContext& context) {
   UiState& ui = context.ui;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), 0));
-  for (const SectionLine& line : kSections) {
-    bool& is_open = ui.is_open[static_cast<int>(line.section)];
+  for (const SectionLine& line : kSectionLines) {
+    bool& is_open = ui.settings.is_open(line.section);
     if (section_header(ui, line.title, line.summary(context), is_open)) is_open = !is_open;
     if (is_open) {
       ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), ui.look.px(8)));

@@ -116,13 +116,6 @@ std::string duration_text(double seconds) {
   return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
 }
 
-std::string length_text(double millimetres) {
-  if (millimetres < 0.005) return "under 0.01 mm";
-  if (millimetres < 0.095) return number_text("%.2f mm", millimetres);
-  if (millimetres < 9.95) return number_text("%.1f mm", millimetres);
-  return grouped(std::llround(millimetres)) + " mm";
-}
-
 std::string faces_text(std::int64_t faces, std::int64_t all) {
   return faces == all ? counted(all, "face", "faces")
                       : grouped(faces) + " of " + counted(all, "face", "faces");

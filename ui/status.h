@@ -25,8 +25,6 @@ std::string grouped(std::int64_t number);
 std::string counted(std::int64_t number, const std::string& one, const std::string& many);
 /// "2.4 ms", "0.4 s", "12 s", "2 min 5 s".
 std::string duration_text(double seconds);
-/// "under 0.01 mm", "0.8 mm", "12 mm".
-std::string length_text(double millimetres);
 /// "400 of 12 000 faces"; just "12 000 faces" when that is all of them.
 std::string faces_text(std::int64_t faces, std::int64_t all);
 /// The simplify slider: 0 is the fewest faces, 1 all of them, logarithmic between.

@@ -18,7 +18,6 @@
 namespace netwright {
 
 enum class Dialog { None, Open, Export, Keys, About, Repair };
-enum class Section { Model, Solve, Paper };
 
 struct Toast {
   std::string text;
@@ -43,7 +42,6 @@ struct UiState {
   std::vector<FaceId> lit_faces;
   std::string hint;  ///< what the thing under the pointer does; rebuilt every frame
 
-  bool is_open[3] = {false, true, true};  ///< by Section
   Dialog dialog = Dialog::None;
   std::string export_extension = "pdf";  ///< preset of the export dialog
 
