@@ -33,6 +33,29 @@ GLuint make_renderbuffer() {
   return generate([](GLsizei n, GLuint* names) { glGenRenderbuffers(n, names); });
 }
 
+/// Halved, taking means, until no side is longer.
+Image within(Image image, int largest) {
+  while (std::max(image.width, image.height) > largest) {
+    const int nx = image.width > largest ? 2 : 1;
+    const int ny = image.height > largest ? 2 : 1;
+    Image half{image.width / nx, image.height / ny, {}};
+    half.rgba.reserve(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    for (int y = 0; y < half.height; ++y)
+      for (int x = 0; x < half.width; ++x)
+        for (std::size_t i = 0; i < 4; ++i) {
+          int sum = 0;
+          for (int k = 0; k < nx * ny; ++k) {
+            const auto column = static_cast<std::size_t>(nx * x + k % nx);
+            const auto row = static_cast<std::size_t>(ny * y + k / nx);
+            sum += image.rgba[4 * (row * static_cast<std::size_t>(image.width) + column) + i];
+          }
+          half.rgba.push_back(static_cast<std::uint8_t>(sum / (nx * ny)));
+        }
+    image = std::move(half);
+  }
+  return image;
+}
+
 std::vector<std::uint8_t> upside_down(const Image& image) {
   const auto row = static_cast<std::size_t>(image.width) * 4;
   std::vector<std::uint8_t> rows(image.rgba.size());
@@ -79,7 +102,12 @@ void VertexArray::attribute(unsigned int index, const Buffer& buffer, int compon
 
 Texture::Texture() : GlObject(make_texture(), [](GLuint name) { glDeleteTextures(1, &name); }) {}
 
-void Texture::upload(const Image& image) {
+void Texture::upload(const Image& given) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const bool fits = std::max(given.width, given.height) <= largest;
+  const Image halved = fits ? Image() : within(given, largest);
+  const Image& image = fits ? given : halved;
   glBindTexture(GL_TEXTURE_2D, name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   const std::vector<std::uint8_t> rows = upside_down(image);

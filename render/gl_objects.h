@@ -73,7 +73,8 @@ class Texture : public GlObject {
  public:
   Texture();
   /// Smoothly filtered and repeating; the picture's first row becomes v = 1, as model files have it.
-  void upload(const Image& image);
+  /// A picture larger than the card takes is halved until it fits.
+  void upload(const Image& given);
   /// One byte per entry, in rows of kTableWidth, read by the shader as unsigned integers.
   void upload_table(std::span<const std::uint8_t> values);
   static constexpr int kTableWidth = 1024;

@@ -276,6 +276,45 @@ TEST(Gui, OpensAFileFromTheBrowser) {
   EXPECT_EQ(gui.ui().settings.recent.front(), model);
 }
 
+/// How colourful the model's view is: the largest distance between two channels of a pixel, in the mean.
+double colourfulness(Gui& gui) {
+  const WidgetRect area = gui.rect("model/picture");
+  const Image image = gui.window.read_pixels();
+  double sum = 0;
+  int n = 0;
+  for (int y = static_cast<int>(area.min.y) + 60; y < static_cast<int>(area.max.y) - 60; ++y)
+    for (int x = static_cast<int>(area.min.x) + 60; x < static_cast<int>(area.max.x) - 60; ++x, ++n) {
+      const auto k = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                          static_cast<std::size_t>(x));
+      const auto [low, high] = std::minmax({image.rgba[k], image.rgba[k + 1], image.rgba[k + 2]});
+      sum += high - low;
+    }
+  return sum / n;
+}
+
+TEST(Gui, ShowsTheModelsOwnLooksWhileTheyAreOn) {
+  Gui gui;
+  gui.open_sample("Globe");
+  gui.frames(3);
+  const double dressed = colourfulness(gui);
+  gui.click("model/Textures");
+  gui.frames(3);
+  EXPECT_FALSE(gui.ui().settings.show_textures);
+  EXPECT_LT(colourfulness(gui), dressed / 2);
+  gui.click("model/Textures");
+  gui.frames(3);
+  EXPECT_DOUBLE_EQ(colourfulness(gui), dressed);
+}
+
+TEST(Gui, HasNoLooksToHideOnAPlainModel) {
+  Gui gui;
+  gui.open_sample("Cube");
+  gui.frames(3);
+  EXPECT_FALSE(gui.rect("model/Textures").is_enabled);
+  gui.click("model/Textures");
+  EXPECT_TRUE(gui.ui().settings.show_textures);
+}
+
 TEST(Gui, ABrokenFileIsExplainedAndTheModelStays) {
   Gui gui;
   const TemporaryFolder folder;

@@ -123,6 +123,7 @@ TEST(SettingsFile, ComesBackAsItWasSaved) {
   settings.window_width = 1200;
   settings.window_x = -40;
   settings.is_maximized = true;
+  settings.show_textures = false;
   settings.recent = {"/tmp/a b.obj", "/tmp/ü.stl"};
   const auto file = folder.path() / "deep" / "settings.conf";
   ASSERT_TRUE(save_settings(settings, file));

@@ -69,6 +69,12 @@ std::string needs_selection(const UiContext& c) {
   return c.ui.selected.is_valid() ? "" : "No face is selected.";
 }
 
+std::string needs_looks(const UiContext& c) {
+  const auto& dual = c.session.project().dual;
+  return dual != nullptr && dual->mesh().materials().empty() ? "The model has neither colours nor pictures."
+                                                             : "";
+}
+
 void ask_export(UiContext& c, const char* extension) {
   c.ui.export_extension = extension;
   c.ui.dialog = Dialog::Export;
@@ -209,6 +215,8 @@ const auto kActions = std::to_array<Action>({
      frame_all, nullptr, nullptr},
     {ActionId::Home, "Home view", icon::kHome, {kHomeKey, 0}, "Looks at the model as at first", needs_model,
      [](UiContext& c) { c.ui.wants_home = true; frame_all(c); }, nullptr, nullptr},
+    {ActionId::ToggleTextures, "Textures", icon::kTexture, {}, "Shows the model's own colours and pictures",
+     needs_looks, toggle<&Settings::show_textures>, is_set<&Settings::show_textures>, nullptr},
     {ActionId::ToggleTree, "Unfold tree", icon::kTree, {'T', 0}, "Shows the tree of folds", always,
      toggle<&Settings::show_tree>, is_set<&Settings::show_tree>, nullptr},
     {ActionId::ToggleOverlaps, "Overlaps", icon::kWarning, {'O', 0}, "Marks the faces that overlap", always,

@@ -33,6 +33,7 @@ enum class ActionId {
   SkipReplay,
   Frame,
   Home,
+  ToggleTextures,
   ToggleTree,
   ToggleOverlaps,
   ToggleRoot,

@@ -92,6 +92,7 @@ void ModelView::paint(const UiContext& context, const Scene& scene, Renderers& r
   if (scene.dual() == nullptr) return;
   MeshLook look;
   look.scale = ui.look.scale;
+  look.shows_materials = ui.settings.show_textures;
   renderers.mesh.draw(camera_, colours, scene.states(), look);
   if (scene.shown() == nullptr) return;
   TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
@@ -128,7 +129,8 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
   UiState& ui = context.ui;
   const std::string name = scene.dual() == nullptr ? "" : scene.dual()->mesh().name();
   view_header(context, "model", "Model", name, to_u32(palette_of(ui).background_top),
-              {ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot, ActionId::Frame});
+              {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
+               ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
   if (size.x < 1 || size.y < 1) return;
@@ -143,7 +145,7 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
       .add(scene.version())
       .add(ui.look.colours.is_dark)
       .add(ui.look.scale);
-  key.add(ui.settings.show_tree).add(ui.settings.show_root);
+  key.add(ui.settings.show_tree).add(ui.settings.show_root).add(ui.settings.show_textures);
   key.add_bytes(scene.states().bits().data(), scene.states().size());
   renderers.model_picture.redraw({static_cast<int>(size.x), static_cast<int>(size.y)}, key,
                                  [&] { paint(context, scene, renderers); });

@@ -24,11 +24,12 @@ struct Flag {
   std::string_view key;
   bool Settings::*value;
 };
-constexpr std::array<Flag, 7> kFlags{Flag{"side_panel", &Settings::is_side_open},
+constexpr std::array<Flag, 8> kFlags{Flag{"side_panel", &Settings::is_side_open},
                                      Flag{"show_tree", &Settings::show_tree},
                                      Flag{"show_overlaps", &Settings::show_overlaps},
                                      Flag{"show_root", &Settings::show_root},
                                      Flag{"show_pages", &Settings::show_pages},
+                                     Flag{"show_textures", &Settings::show_textures},
                                      Flag{"desktop_dialogs", &Settings::uses_desktop_dialogs},
                                      Flag{"window_maximized", &Settings::is_maximized}};
 

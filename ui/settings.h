@@ -37,6 +37,7 @@ struct Settings {
   bool show_overlaps = true;
   bool show_root = true;
   bool show_pages = true;
+  bool show_textures = true;
   std::array<bool, kSections> open_sections{false, true, true, true, false};
   std::array<bool, kFirstHints> hints_done{};
   int window_width = 0;  ///< of the real window, in screen units; 0 = never seen
