@@ -57,6 +57,21 @@ TEST(WriteFile, RefusesMissingFoldersAndFoldersInPlaceOfFiles) {
   EXPECT_EQ(folder.files().size(), 1U);
 }
 
+TEST(WriteFile, LetsWhatWasWrittenBeCheckedBeforeTheOldFileGoes) {
+  const TemporaryFolder folder;
+  write_file(folder / "file", "old");
+  std::string seen;
+  write_file(folder / "file", "new", [&](std::string_view written) {
+    seen = written;
+    EXPECT_EQ(read_file(folder / "file", 100), "old");
+  });
+  EXPECT_EQ(seen, "new");
+  const auto refuse = [](std::string_view) { throw Error(ErrorKind::Write, "That was not it."); };
+  EXPECT_THROW(write_file(folder / "file", "newer", refuse), Error);
+  EXPECT_EQ(read_file(folder / "file", 100), "new");
+  EXPECT_EQ(folder.files().size(), 1U);
+}
+
 TEST(ReadFile, RefusesWhatIsMissingTooLargeOrNoFile) {
   const TemporaryFolder folder;
   write_file(folder / "file", std::string(1000, 'x'));

@@ -11,16 +11,25 @@
 
 namespace netwright {
 
+ImageSize image_size(std::string_view bytes) {
+  if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return {};
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  ImageSize size;
+  int channels = 0;
+  if (stbi_info_from_memory(data, static_cast<int>(bytes.size()), &size.width, &size.height, &channels) == 0)
+    return {};
+  return size.width > 0 && size.height > 0 ? size : ImageSize{};
+}
+
 Image decode_image(std::string_view bytes) {
   constexpr std::int64_t kMaxPixels = 64'000'000;
-  if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return {};
+  const ImageSize told = image_size(bytes);
+  if (told.width == 0 || std::int64_t{told.width} * told.height > kMaxPixels) return {};
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0;
   int height = 0;
   int channels = 0;
-  if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) return {};
-  if (width <= 0 || height <= 0 || std::int64_t{width} * height > kMaxPixels) return {};
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) return {};

@@ -15,6 +15,14 @@ struct Image {
   [[nodiscard]] bool is_empty() const { return width <= 0 || height <= 0; }
 };
 
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// What a picture file's header says, without decoding anything; 0 x 0 when it is none.
+ImageSize image_size(std::string_view bytes);
+
 /// Decodes a PNG, JPEG, BMP, TGA or GIF file's bytes; an empty image when they are none of these, are
 /// damaged, or hold more than 64 million pixels.
 Image decode_image(std::string_view bytes);
