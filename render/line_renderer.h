@@ -30,6 +30,7 @@ struct LineSegment {
   glm::vec3 from{0};
   glm::vec3 to{0};
   std::uint32_t style = 0;
+  bool operator==(const LineSegment&) const = default;
 };
 inline constexpr std::size_t kMaxLineStyles = 8;
 

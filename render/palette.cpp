@@ -16,6 +16,8 @@ Palette meanings() {
   p.chosen = rgb(0xC026D3, 0.62F);
   p.climbed = rgb(0xE879F9, 0.28F);
   p.candidate = rgb(0xD61FD6);
+  p.measure = rgb(0x0B7A75);
+  p.measure_rim = rgb(0xFFFFFF);
   return p;
 }
 
@@ -38,6 +40,7 @@ Palette light() {
   p.valley = rgb(0x1F78B4);
   p.flat = rgb(0x191C21, 0.13F);
   p.hover = rgb(0x5B8DEF, 0.38F);
+  p.hover_edge = rgb(0x008DB0);
   return p;
 }
 
@@ -60,6 +63,7 @@ Palette dark() {
   p.valley = rgb(0x1B6CA8);
   p.flat = rgb(0x101216, 0.16F);
   p.hover = rgb(0x4C82F0, 0.42F);
+  p.hover_edge = rgb(0x22BEE6);
   return p;
 }
 

@@ -42,11 +42,14 @@ struct Palette {
   Colour root_rim;
   Colour overlap;  ///< fill of an overlapping face
   Colour overlap_hatch;
-  Colour hover;      ///< mixed into the face by its alpha; faces with a strong fill take white instead
-  Colour selection;  ///< outline
-  Colour chosen;     ///< the face a move starts from
-  Colour climbed;    ///< the path climbed by a move
-  Colour candidate;  ///< cuts the climb could have turned into folds
+  Colour hover;       ///< mixed into the face by its alpha; faces with a strong fill take white instead
+  Colour hover_edge;  ///< an edge under the pointer, and the way to its partner
+  Colour selection;   ///< outline
+  Colour chosen;      ///< the face a move starts from
+  Colour climbed;     ///< the path climbed by a move
+  Colour candidate;   ///< cuts the climb could have turned into folds
+  Colour measure;     ///< what the measuring tool draws
+  Colour measure_rim;
 };
 
 const Palette& palette(Theme theme);

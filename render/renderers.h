@@ -5,6 +5,7 @@
 #include "render/line_renderer.h"
 #include "render/mesh_renderer.h"
 #include "render/net_renderer.h"
+#include "render/overlay_renderer.h"
 #include "render/tree_renderer.h"
 #include "render/viewport.h"
 
@@ -16,6 +17,7 @@ struct Renderers {
   MeshRenderer mesh{lines};
   NetRenderer net{lines};
   TreeRenderer tree{lines};
+  OverlayRenderer overlay{lines};
   Viewport model_picture;
   Viewport net_picture;
 };

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "assets/icons.h"
+#include "ui/selection.h"
 
 namespace netwright {
 namespace {
@@ -65,9 +66,7 @@ std::string needs_face_or_pin(const UiContext& c) {
   return c.session.project().pinned_root.is_valid() ? "" : needs_face(c);
 }
 
-std::string needs_selection(const UiContext& c) {
-  return c.ui.selected.is_valid() ? "" : "No face is selected.";
-}
+std::string needs_selection(const UiContext& c) { return has_selection(c.ui) ? "" : "Nothing is selected."; }
 
 std::string needs_looks(const UiContext& c) {
   const auto& dual = c.session.project().dual;
@@ -197,8 +196,8 @@ const auto kActions = std::to_array<Action>({
      [](UiContext& c) { c.session.simplify_to(0, false); }, nullptr, nullptr},
     {ActionId::CentreFace, "Centre the face", icon::kFrame, {'C', 0}, "Brings the face to the middle of both views",
      needs_face, [](UiContext& c) { c.ui.wants_centre = chosen_face(c); }, nullptr, nullptr},
-    {ActionId::ClearSelection, "Clear selection", "", {}, "Selects nothing", needs_selection,
-     [](UiContext& c) { c.ui.selected = FaceId(); }, nullptr, nullptr},
+    {ActionId::ClearSelection, "Clear selection", "", {}, "Lets go of the selected faces and edges", needs_selection,
+     [](UiContext& c) { clear_selection(c.ui); }, nullptr, nullptr},
     {ActionId::Unfold, "Unfold", icon::kPlay, {kSpaceKey, 0}, "Searches for a net in one piece", needs_model,
      unfold_or_pause, nullptr, unfold_label},
     {ActionId::Step, "Step", icon::kStep, {'S', 0}, "Makes one move and shows it", needs_no_replay,
@@ -295,7 +294,7 @@ bool run_shortcut(UiContext& context, const Shortcut& pressed) {
     // Esc is also how people get out of things; pressing it once too often is no mistake to be told about.
     const bool is_idle_escape = candidate.id == ActionId::Stop && !is_possible(context, ActionId::Stop);
     if (is_idle_escape) {
-      context.ui.selected = FaceId();
+      clear_selection(context.ui);
     } else {
       run_action(context, candidate.id);
     }

@@ -47,6 +47,12 @@ std::string length_text(double millimetres, LengthUnit unit) {
                                   : millimetre_text(millimetres);
 }
 
+std::string exact_length_text(double millimetres, LengthUnit unit) {
+  if (unit == LengthUnit::Inch) return number_text("%.3f in", millimetres / kMillimetresPerInch);
+  const auto tenths = std::llround(millimetres * 10);
+  return grouped(tenths / 10) + "." + std::to_string(std::abs(tenths % 10)) + " mm";
+}
+
 std::string area_text(double width_mm, double height_mm, LengthUnit unit) {
   if (unit == LengthUnit::Inch)
     return short_inches(width_mm / kMillimetresPerInch) + " × " +

@@ -21,6 +21,9 @@ const char* sign_of(LengthUnit unit);
 /// "under 0.01 mm", "0.8 mm", "12 mm"; "0.031 in", "1.25 in", "12.5 in".
 std::string length_text(double millimetres, LengthUnit unit);
 
+/// As measured, with the same digits however long it is: "18.2 mm", "1 204.5 mm"; "0.717 in".
+std::string exact_length_text(double millimetres, LengthUnit unit);
+
 /// "210 × 297 mm", "8.5 × 11 in": as precise as sheets of paper are.
 std::string area_text(double width_mm, double height_mm, LengthUnit unit);
 

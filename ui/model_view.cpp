@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/pointing.h"
+#include "ui/selection.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -73,16 +75,31 @@ void ModelView::handle(UiContext& context, const Scene& scene, const Gesture& ge
   UiState& ui = context.ui;
   const glm::dvec2 pointer(gesture.pointer.x, gesture.pointer.y);
   const glm::dvec2 drag(gesture.drag.x, gesture.drag.y);
+  if (band_.follow(ui, gesture)) {
+    select_faces(ui, faces_in_band(scene), band_.before());
+    ui.hint = band_hint(ui);
+    return;
+  }
   if (gesture.drag_button == 0) camera_.orbit(drag);
   if (gesture.drag_button > 0) camera_.pan(drag);
   if (gesture.wheel != 0) camera_.zoom(std::pow(1.15, gesture.wheel), pointer);
   if (!gesture.is_hovered || gesture.drag_button >= 0) return;
-  ui.hovered = scene.model_picker().pick(camera_.ray(pointer));
-  ui.hint = ui.hovered.is_valid()
-                ? face_text(ui.hovered) + " · click selects · R makes it the root · double-click centres it"
-                : "Drag turns · right drag moves · wheel zooms · F shows all";
-  if (gesture.is_clicked) ui.selected = ui.hovered;
-  if (gesture.is_double_clicked && ui.hovered.is_valid()) ui.wants_centre = ui.hovered;
+  if (scene.dual() == nullptr) return;
+  const Pointed pointed =
+      point_at(scene.model_picker(), scene.dual()->mesh(), camera_, pointer, edge_reach(ui));
+  take_pointer(context, pointed, gesture, "Drag turns · right drag moves · wheel zooms · F shows all");
+}
+
+std::vector<FaceId> ModelView::faces_in_band(const Scene& scene) const {
+  std::vector<FaceId> faces;
+  const Mesh& mesh = scene.dual()->mesh();
+  for (const FaceId f : mesh.faces()) {
+    const glm::dvec3 middle = face_anchor(*scene.dual(), f);
+    if (glm::dot(mesh.normal(f), camera_.eye() - middle) <= 0) continue;
+    const glm::dvec2 pixel(camera_.project(middle));
+    if (band_.holds(pixel) && scene.model_picker().pick(camera_.ray(pixel)) == f) faces.push_back(f);
+  }
+  return faces;
 }
 
 void ModelView::paint(const UiContext& context, const Scene& scene, Renderers& renderers) {
@@ -94,9 +111,11 @@ void ModelView::paint(const UiContext& context, const Scene& scene, Renderers& r
   look.scale = ui.look.scale;
   look.shows_materials = ui.settings.show_textures;
   renderers.mesh.draw(camera_, colours, scene.states(), look);
-  if (scene.shown() == nullptr) return;
-  TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
-  renderers.tree.draw_on_model(camera_, colours, tree);
+  if (scene.shown() != nullptr) {
+    TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
+    renderers.tree.draw_on_model(camera_, colours, tree);
+  }
+  renderers.overlay.draw_on_model(camera_, colours, ui.look.scale);
 }
 
 void ModelView::draw_axes(const UiState& ui, const Mesh& mesh, ImVec2 corner, ImVec2 size) const {
@@ -146,6 +165,7 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
       .add(ui.look.colours.is_dark)
       .add(ui.look.scale);
   key.add(ui.settings.show_tree).add(ui.settings.show_root).add(ui.settings.show_textures);
+  key.add(renderers.overlay.version());
   key.add_bytes(scene.states().bits().data(), scene.states().size());
   renderers.model_picture.redraw({static_cast<int>(size.x), static_cast<int>(size.y)}, key,
                                  [&] { paint(context, scene, renderers); });
@@ -153,6 +173,7 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
   const auto texture = reinterpret_cast<ImTextureID>(renderers.model_picture.texture());
   draw_list.AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y), ImVec2(0, 1),
                      ImVec2(1, 0));
+  band_.draw(ui, corner);
   if (scene.dual() != nullptr) draw_axes(ui, scene.dual()->mesh(), corner, size);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "render/camera.h"
+#include "ui/rubber_band.h"
 #include "ui/scene.h"
 #include "ui/view_parts.h"
 
@@ -22,6 +23,8 @@ class ModelView {
   void start_flight(const UiState& ui, const Mesh& mesh);
   void fly(UiState& ui, const Gesture& gesture);
   void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
+  /// Faces that look this way and whose middle lies in the rubber band, unless something hides it.
+  [[nodiscard]] std::vector<FaceId> faces_in_band(const Scene& scene) const;
   void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
   void draw_axes(const UiState& ui, const Mesh& mesh, ImVec2 corner, ImVec2 size) const;
 
@@ -33,6 +36,7 @@ class ModelView {
 
   OrbitCamera camera_;
   std::optional<Flight> flight_;
+  RubberBand band_;
   std::uint64_t file_version_ = 0;
 };
 

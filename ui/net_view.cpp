@@ -6,6 +6,8 @@
 
 #include "assets/icons.h"
 #include "ui/legend.h"
+#include "ui/pointing.h"
+#include "ui/selection.h"
 #include "ui/status.h"
 #include "ui/widgets.h"
 
@@ -61,8 +63,15 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
   UiState& ui = context.ui;
   if (scene.net() == nullptr) return;
   const glm::dvec2 pointer(gesture.pointer.x, gesture.pointer.y);
-  const FaceId under = gesture.is_hovered ? scene.net_picker().pick(camera_.to_world(pointer)) : FaceId();
-  if (gesture.is_pressed) is_panning_ = !under.is_valid();
+  if (band_.follow(ui, gesture)) {
+    select_faces(ui, faces_in_band(*scene.net()), band_.before());
+    ui.hint = band_hint(ui);
+    return;
+  }
+  const Pointed pointed = gesture.is_hovered
+                              ? point_at(scene.net_picker(), *scene.net(), camera_, pointer, edge_reach(ui))
+                              : Pointed();
+  if (gesture.is_pressed) is_panning_ = !pointed.face.is_valid() && !pointed.side.is_valid();
   if (gesture.drag_button > 0 || (gesture.drag_button == 0 && is_panning_)) {
     camera_.pan({gesture.drag.x, gesture.drag.y});
     is_moved_by_user_ = true;
@@ -72,12 +81,15 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
     is_moved_by_user_ = true;
   }
   if (!gesture.is_hovered || gesture.drag_button >= 0) return;
-  ui.hovered = under;
-  ui.hint = under.is_valid()
-                ? face_text(under) + " · click selects · R makes it the root · double-click centres it"
-                : "Drag moves · wheel zooms · F shows all";
-  if (gesture.is_clicked) ui.selected = under;
-  if (gesture.is_double_clicked && under.is_valid()) ui.wants_centre = under;
+  take_pointer(context, pointed, gesture, "Drag moves · wheel zooms · F shows all");
+}
+
+std::vector<FaceId> NetView::faces_in_band(const Net& net) const {
+  std::vector<FaceId> faces;
+  for (const FaceId f : net.mesh().faces()) {
+    if (band_.holds(camera_.to_pixel(face_anchor(net, f)))) faces.push_back(f);
+  }
+  return faces;
 }
 
 void NetView::paint(const UiContext& context, const Scene& scene, Renderers& renderers) {
@@ -90,6 +102,7 @@ void NetView::paint(const UiContext& context, const Scene& scene, Renderers& ren
   renderers.net.draw(camera_, colours, scene.states(), look);
   TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
   renderers.tree.draw_on_net(camera_, colours, tree);
+  renderers.overlay.draw_on_net(camera_, colours, ui.look.scale);
 }
 
 void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers) {
@@ -107,13 +120,14 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   handle(context, scene, picture_gesture(ui, "net/picture", size));
   PictureKey key;
   key.add(camera_).add(scene.version()).add(ui.look.colours.is_dark).add(ui.look.scale);
-  key.add(ui.settings.show_tree).add(ui.settings.show_root);
+  key.add(ui.settings.show_tree).add(ui.settings.show_root).add(renderers.overlay.version());
   key.add_bytes(scene.states().bits().data(), scene.states().size());
   renderers.net_picture.redraw({static_cast<int>(size.x), static_cast<int>(size.y)}, key,
                                [&] { paint(context, scene, renderers); });
   const auto texture = reinterpret_cast<ImTextureID>(renderers.net_picture.texture());
   ImGui::GetWindowDrawList()->AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y),
                                        ImVec2(0, 1), ImVec2(1, 0));
+  band_.draw(ui, corner);
   if (scene.net() == nullptr && context.session.state() == RunState::Idle) draw_empty_desk(ui, corner, size);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
   draw_legend(ui, scene.shown().get());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/camera.h"
+#include "ui/rubber_band.h"
 #include "ui/scene.h"
 #include "ui/view_parts.h"
 
@@ -17,9 +18,12 @@ class NetView {
  private:
   void follow_net(UiContext& context, const Scene& scene);
   void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
+  /// Faces whose middle lies in the rubber band.
+  [[nodiscard]] std::vector<FaceId> faces_in_band(const Net& net) const;
   void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
 
   PanZoomCamera camera_;
+  RubberBand band_;
   bool is_moved_by_user_ = false;  ///< then nets are no longer framed by themselves
   bool is_panning_ = false;        ///< a left drag that began on the empty desk
   std::uint64_t file_version_ = 0;

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/sheet/pages.h"
+#include "ui/overlay.h"
+#include "ui/selection.h"
 
 namespace netwright {
 namespace {
@@ -94,8 +96,8 @@ void Scene::mark_faces(const UiContext& context) {
   states_ = FaceStates(dual_ == nullptr ? 0 : dual_->mesh().n_faces());
   if (dual_ == nullptr) return;
   const UiState& ui = context.ui;
-  states_.add(ui.hovered, FaceState::Hovered);
-  states_.add(ui.selected, FaceState::Selected);
+  if (!ui.hovered_side.is_valid()) states_.add(ui.hovered, FaceState::Hovered);
+  for (const FaceId face : ui.selected_faces) states_.add(face, FaceState::Selected);
   for (const FaceId face : ui.lit_faces) {
     states_.add(face, FaceState::Hovered);
     states_.add(face, FaceState::Selected);
@@ -124,7 +126,9 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     renderers.mesh.set_model(dual_);
     model_picker_.set_model(dual_);
     UiState& ui = context.ui;
-    ui.hovered = ui.selected = FaceId();
+    ui.hovered = FaceId();
+    ui.hovered_side = HalfedgeId();
+    clear_selection(ui);
     ui.lit_line.reset();
     ui.lit_faces.clear();
   }
@@ -134,6 +138,9 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
   }
   take_net(context, renderers);
   mark_faces(context);
+  const auto* kinds = shown_ == nullptr ? nullptr : &shown_->kinds;
+  renderers.overlay.set_lines(dual_ == nullptr ? OverlayLines()
+                                               : overlay_of(context.ui, dual_->mesh(), net(), kinds));
 }
 
 }  // namespace netwright

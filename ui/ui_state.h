@@ -36,7 +36,12 @@ struct UiState {
   double chore_since = 0;         ///< when the chore in hand began
   bool has_room_for_side = true;  ///< a narrow window belongs to the views
   FaceId hovered;                 ///< under the pointer, in whichever view
-  FaceId selected;                ///< clicked
+  HalfedgeId hovered_side;        ///< the edge near the pointer, from the face whose side it was pointed at
+  // Changed by the functions of ui/selection.h alone.
+  FaceId selected;                     ///< clicked last
+  HalfedgeId selected_side;            ///< the edge clicked last, from the side it was clicked at
+  std::vector<FaceId> selected_faces;  ///< all of them, sorted
+  std::vector<EdgeId> selected_edges;
   /// The line of the model's report whose culprits are lit in both views, and these; gone with the mesh.
   std::optional<std::size_t> lit_line;
   std::vector<FaceId> lit_faces;

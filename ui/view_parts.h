@@ -37,6 +37,7 @@ struct Gesture {
   int drag_button = -1;     ///< the button that drags, -1 for none
   ImVec2 drag;              ///< since the last frame
   float wheel = 0;
+  bool is_adding = false;  ///< Shift is held: adds to the selection
 };
 
 /// An invisible button over the picture, named for tests; the cursor must stand at its corner.

@@ -119,11 +119,13 @@ void Workspace::draw(Session& session, UiState& ui) {
   UiContext context{session, ui};
   if (ui.widgets != nullptr) ui.widgets->begin_frame();
   const FaceId hovered_before = ui.hovered;
+  const HalfedgeId side_before = ui.hovered_side;
   take_messages(context);
   ui.centre_now = std::exchange(ui.wants_centre, FaceId());
   scene_.update(context, renderers_);
   ui.hint.clear();
   ui.hovered = FaceId();
+  ui.hovered_side = HalfedgeId();
   if (session.chore() == nullptr) ui.chore_since = ui.now;
 
   const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -163,7 +165,8 @@ void Workspace::draw(Session& session, UiState& ui) {
   });
   draw_toasts(ui, ImVec2(window.x, bottom - ui.look.px(36)));
   dialogs_.draw(context);
-  if (ui.hovered != hovered_before) ui.frames_wanted = std::max(ui.frames_wanted, 2);
+  if (ui.hovered != hovered_before || ui.hovered_side != side_before)
+    ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
 
 void Workspace::key(Session& session, UiState& ui, int key_number, int modifiers) {

@@ -1,0 +1,77 @@
+// Gathers the overlay's lines. The curve between the two sides of a cut leaves each side at a right angle, so
+// that one sees which side it belongs to.
+#include "ui/overlay.h"
+
+#include <array>
+
+#include "ui/selection.h"
+
+namespace netwright {
+namespace {
+
+constexpr int kCurveSteps = 32;
+constexpr double kBulge = 0.35;          ///< of the distance between the sides
+constexpr std::size_t kMostCurves = 60;  ///< more than this is a tangle
+
+struct Target {
+  const Mesh& mesh;
+  const Net* net;
+  const IdVector<EdgeId, EdgeKind>* kinds;
+  OverlayLines& lines;
+
+  [[nodiscard]] bool is_cut(EdgeId e) const { return kinds != nullptr && (*kinds)[e] == EdgeKind::Cut; }
+};
+
+void add_edge(const Target& to, EdgeId e, OverlayStyle style) {
+  const Mesh& mesh = to.mesh;
+  const HalfedgeId h = mesh.halfedge(e);
+  to.lines.add_in_space(mesh.position(h), mesh.position(mesh.next(h)), style);
+  if (to.net == nullptr) return;
+  to.lines.add_in_plane(to.net->corner(h), to.net->corner(mesh.next(h)), style);
+  if (!to.is_cut(e)) return;
+  const HalfedgeId g = mesh.twin(h);
+  to.lines.add_in_plane(to.net->corner(g), to.net->corner(mesh.next(g)), style);
+}
+
+/// From the middle of a cut's side to the middle of its other side.
+void add_curve(const Target& to, EdgeId e) {
+  const Mesh& mesh = to.mesh;
+  const HalfedgeId h = mesh.halfedge(e);
+  const auto middle = [&](HalfedgeId g) { return (to.net->corner(g) + to.net->corner(mesh.next(g))) * 0.5; };
+  const auto outward = [&](HalfedgeId g) {
+    const glm::dvec2 along = glm::normalize(to.net->corner(mesh.next(g)) - to.net->corner(g));
+    return glm::dvec2(along.y, -along.x);
+  };
+  const glm::dvec2 from = middle(h);
+  const glm::dvec2 end = middle(mesh.twin(h));
+  const double bulge = kBulge * glm::distance(from, end);
+  const std::array<glm::dvec2, 4> p{from, from + bulge * outward(h), end + bulge * outward(mesh.twin(h)),
+                                    end};
+  glm::dvec2 before = from;
+  for (int k = 1; k <= kCurveSteps; ++k) {
+    const double t = static_cast<double>(k) / kCurveSteps;
+    const double s = 1 - t;
+    const glm::dvec2 here = s * s * s * p[0] + 3 * s * s * t * p[1] + 3 * s * t * t * p[2] + t * t * t * p[3];
+    to.lines.add_in_plane(before, here, OverlayStyle::Partner);
+    before = here;
+  }
+}
+
+}  // namespace
+
+OverlayLines overlay_of(const UiState& ui, const Mesh& mesh, const Net* net,
+                        const IdVector<EdgeId, EdgeKind>* kinds) {
+  OverlayLines lines;
+  const Target to{mesh, net, kinds, lines};
+  const EdgeId hovered = hovered_edge(ui, mesh);
+  std::size_t n_curves = 0;
+  for (const EdgeId e : ui.selected_edges) {
+    if (to.is_cut(e) && e != hovered && n_curves++ < kMostCurves) add_curve(to, e);
+  }
+  if (hovered.is_valid() && to.is_cut(hovered)) add_curve(to, hovered);
+  for (const EdgeId e : ui.selected_edges) add_edge(to, e, OverlayStyle::Selected);
+  if (hovered.is_valid()) add_edge(to, hovered, OverlayStyle::Hovered);
+  return lines;
+}
+
+}  // namespace netwright

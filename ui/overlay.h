@@ -1,0 +1,14 @@
+// What is pointed out over both views in this frame: hovered and selected edges, and for cuts the way from
+// one side to the other.
+#pragma once
+
+#include "render/overlay_renderer.h"
+#include "ui/ui_state.h"
+
+namespace netwright {
+
+/// `net`: as it is drawn, with the kinds of its edges; both null when there is none.
+OverlayLines overlay_of(const UiState& ui, const Mesh& mesh, const Net* net,
+                        const IdVector<EdgeId, EdgeKind>* kinds);
+
+}  // namespace netwright
