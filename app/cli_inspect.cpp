@@ -5,8 +5,10 @@
 
 #include "app/cli_commands.h"
 #include "app/cli_report.h"
+#include "core/base/error.h"
 #include "core/mesh/read.h"
 #include "core/mesh/repair.h"
+#include "core/project/project_file.h"
 #include "core/sheet/fold_file.h"
 
 namespace netwright {
@@ -96,10 +98,55 @@ std::string prefix(MeshReport::Line::Kind kind) {
   return "";
 }
 
+/// The net in a .fold file, or the one that a project's tree is laid out to.
+FlatNet read_net(const std::filesystem::path& file) {
+  if (!is_project_file(file)) return read_fold(file);
+  const Project project = load_project(file).project;
+  if (!project.tree)
+    throw Error(ErrorKind::Read, file.string() + " holds a model without a net; unfold it first.");
+  return to_flat_net(layout(project.dual, *project.tree), 1);
+}
+
+Json project_json(const Project& project, const InfoCommand& command) {
+  const MadeModel& made = *project.made;
+  Json json = info_json(made.report, "", command);
+  Json own;
+  own.set("source", project.source->name);
+  own.set("source_faces", project.source->n_faces());
+  Json done{Json::Array{}};
+  for (const std::string& sentence : made.done) done.add(sentence);
+  own.set("done", done);
+  own.set("has_net", project.tree != nullptr);
+  own.set("verified", project.run && project.run->is_proved);
+  if (project.run) own.set("seed", std::to_string(project.run->seed));
+  own.set("paper", project.paper.format);
+  json.set("project", own);
+  return json;
+}
+
+std::string net_line(const Project& project) {
+  if (!project.tree) return "No net yet.";
+  const std::size_t n = project.tree->roots().size();
+  std::string line = n == 1 ? "A net in one piece" : "A net in " + std::to_string(n) + " pieces";
+  if (!project.run || !project.run->is_proved) return line + ", not proved.";
+  return line + ", proved (seed " + std::to_string(project.run->seed) + ").";
+}
+
+void tell_of_project(const Project& project, const InfoCommand& command) {
+  if (command.is_json) {
+    print(to_text(project_json(project, command), {.is_indented = true}));
+    return;
+  }
+  print("A project made of " + project.source->name);
+  for (const std::string& sentence : project.made->done) print("  " + sentence);
+  for (const MeshReport::Line& line : project.made->report.lines) print("  " + prefix(line.kind) + line.text);
+  print(net_line(project));
+}
+
 }  // namespace
 
 int run_verify(const VerifyCommand& command) {
-  const FlatNet net = read_fold(command.file);
+  const FlatNet net = read_net(command.file);
   const VerifyReport report = verify(net, 0);
   if (command.is_json) {
     print(to_text(verify_json(net, report, command), {.is_indented = true}));
@@ -115,6 +162,10 @@ int run_verify(const VerifyCommand& command) {
 }
 
 int run_info(const InfoCommand& command) {
+  if (is_project_file(command.model)) {
+    tell_of_project(load_project(command.model).project, command);
+    return kGood;
+  }
   const PolygonSoup soup = read_soup(command.model);
   const PreparedModel model = prepare(soup);
   const MeshReport report = report_on(soup);

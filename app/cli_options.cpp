@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/paper.h"
 #include "core/mesh/read.h"
+#include "core/project/project_file.h"
 #include "core/sheet/write.h"
 
 namespace netwright {
@@ -34,18 +35,18 @@ constexpr const char* kBenchFooter =
     "Stopped\n"
     "and started again with the same options, bench goes on behind the last whole row in OUT.";
 
-std::string model_help() {
-  std::string text = "Model file:";
+std::string model_help(const std::string& words) {
+  std::string text = words + ":";
   for (const ModelFormat& format : model_formats()) {
     for (const std::string_view extension : format.extensions) text += " ." + std::string(extension);
   }
-  return text;
+  return text + " ." + std::string(kProjectExtension);
 }
 
 std::string output_help() {
   std::string text = "File to write, its extension chooses:";
   for (const ExportFormat& format : export_formats()) text += " " + std::string(format.extension);
-  return text + "; repeatable";
+  return text + " ." + std::string(kProjectExtension) + "; repeatable";
 }
 
 /// A number within limits, refused in plain words.
@@ -95,6 +96,7 @@ class Reader {
     if (is_flatten_) unfold_.recipe.uneven = UnevenFaces::Flatten;
     if (is_split_) unfold_.recipe.uneven = UnevenFaces::Split;
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
+    note_given();
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     // "a4" is understood; what is printed calls it by its own name.
     if (const auto paper = find_paper(unfold_.paper.format)) unfold_.paper.format = paper->name;
@@ -105,7 +107,8 @@ class Reader {
   void add_unfold() {
     CLI::App& app =
         *app_.add_subcommand("unfold", "Unfold a 3-D model into one piece of paper without overlaps");
-    app.add_option("MODEL", unfold_.model, model_help())->required()->type_name("");
+    unfold_app_ = &app;
+    app.add_option("MODEL", unfold_.model, model_help("Model file or project"))->required()->type_name("");
     app.add_option("-o,--output", outputs_, output_help())
         ->type_name("OUT")
         ->allow_extra_args(false)
@@ -151,16 +154,19 @@ class Reader {
   }
 
   void add_verify() {
-    verify_app_ = app_.add_subcommand("verify", "Prove that a .fold file is a net");
-    verify_app_->add_option("FILE", verify_.file, "Net as written by unfold: .fold")
+    verify_app_ = app_.add_subcommand("verify", "Prove that a .fold file or a project holds a net");
+    verify_app_->add_option("FILE", verify_.file, "Net as written by unfold: .fold .netwright")
         ->required()
         ->type_name("");
     verify_app_->add_flag("--json", verify_.is_json, "Print the result as one JSON object");
   }
 
   void add_info() {
-    info_app_ = app_.add_subcommand("info", "Tell what a model file holds and whether it can be unfolded");
-    info_app_->add_option("MODEL", info_.model, model_help())->required()->type_name("");
+    info_app_ =
+        app_.add_subcommand("info", "Tell what a model file or project holds and whether it can be unfolded");
+    info_app_->add_option("MODEL", info_.model, model_help("Model file or project"))
+        ->required()
+        ->type_name("");
     info_app_->add_flag("--json", info_.is_json, "Print the result as one JSON object");
   }
 
@@ -205,6 +211,16 @@ class Reader {
         ->capture_default_str();
   }
 
+  void note_given() {
+    const auto is_named = [this](const char* option) { return unfold_app_->count(option) > 0; };
+    unfold_.given.seed = is_named("--seed");
+    unfold_.given.search = is_named("--search") || is_named("--streams");
+    unfold_.given.recipe = !(unfold_.recipe == Recipe{});
+    unfold_.given.root = is_named("--root");
+    unfold_.given.paper = is_named("--paper");
+    unfold_.given.size = is_named("--height") || is_named("--fit-page");
+  }
+
   [[nodiscard]] SearchStyle style() const {
     return search_ == "paper" ? SearchStyle::Paper : SearchStyle::Fast;
   }
@@ -231,6 +247,7 @@ class Reader {
   }
 
   CLI::App app_{"Netwright unfolds a 3-D model into one overlap-free piece of paper."};
+  CLI::App* unfold_app_ = nullptr;
   CLI::App* verify_app_ = nullptr;
   CLI::App* info_app_ = nullptr;
   CLI::App* bench_app_ = nullptr;

@@ -28,6 +28,16 @@ struct UnfoldCommand {
   PaperSetup paper;
   PrintSize size;
   bool is_json = false;
+
+  /// Which of these were named; the others are a project's to decide where one is unfolded.
+  struct Given {
+    bool seed = false;
+    bool search = false;
+    bool recipe = false;
+    bool root = false;
+    bool paper = false;
+    bool size = false;
+  } given;
 };
 
 struct VerifyCommand {

@@ -6,11 +6,11 @@
 #include <system_error>
 
 #include "app/cli_commands.h"
+#include "app/cli_model.h"
 #include "app/cli_report.h"
 #include "app/cli_watch.h"
 #include "core/base/error.h"
-#include "core/mesh/read.h"
-#include "core/project/make_model.h"
+#include "core/project/project_file.h"
 #include "core/sheet/page_frame.h"
 #include "core/sheet/write.h"
 #include "core/unfold/obstruction.h"
@@ -29,12 +29,12 @@ std::string known_formats() {
   std::string text;
   for (const ExportFormat& format : export_formats())
     text += (text.empty() ? "" : " ") + std::string(format.extension);
-  return text;
+  return text + " ." + std::string(kProjectExtension);
 }
 
 /// What can be known to fail is refused before any time is spent on the search.
 void check_output(const fs::path& path) {
-  if (!is_export_format(path)) {
+  if (!is_export_format(path) && !has_project_name(path)) {
     throw Error(ErrorKind::Usage, "Cannot tell how to write " + path.string() +
                                       ": give it one of the extensions " + known_formats() + ".");
   }
@@ -54,59 +54,43 @@ void check_output(const fs::path& path) {
   }
 }
 
-struct Model {
-  std::shared_ptr<const DualGraph> dual;
-  std::vector<std::string> notices;
-};
-
-/// Where repairing would help and was not asked for, the refusal ends with how to ask.
-std::string repair_hint(const std::shared_ptr<const PolygonSoup>& soup, Recipe recipe, Progress& progress) {
-  if (recipe.repairs) return "";
-  recipe = {.repairs = true, .uneven = recipe.uneven};
-  return make_model(soup, recipe, nullptr, progress).dual ? " Or add --repair." : "";
-}
-
-Model read_model(const UnfoldCommand& command, Progress& progress) {
-  const auto soup = std::make_shared<const PolygonSoup>(read_soup(command.model));
-  MadeModel made = make_model(soup, command.recipe, nullptr, progress);
-  if (!made.dual) throw Error(ErrorKind::Unfit, made.refusal + repair_hint(soup, command.recipe, progress));
-  Model model;
-  model.notices = std::move(made.done);
-  for (const MeshReport::Line& line : made.report.lines) {
-    if (line.kind == MeshReport::Line::Kind::Notice) model.notices.push_back(line.text);
-  }
-  model.dual = std::move(made.dual);
-  return model;
-}
-
-SolveOptions solve_options(const UnfoldCommand& command, const Mesh& mesh) {
+SolveOptions solve_options(const UnfoldCommand& command, const Project& project) {
   SolveOptions options;
   options.seed = static_cast<std::uint64_t>(command.seed);
   options.streams = command.streams;
   options.threads = command.threads;
   options.search = command.search;
-  if (command.root > static_cast<int>(mesh.n_faces())) {
-    throw Error(ErrorKind::Usage, "There is no face " + std::to_string(command.root) +
-                                      " to start from: " + mesh.name() + " has the faces 1 to " +
-                                      std::to_string(mesh.n_faces()) + ".");
-  }
-  for (const FaceId face : mesh.faces()) {
-    if (command.root > 0 && mesh.face_source(face) == command.root - 1) options.root = face;
-  }
+  options.root = project.pinned_root;
   return options;
 }
 
-/// All files or none: when one cannot be written, those that this run added before it go again.
-std::vector<fs::path> write_all(const UnfoldCommand& command, const Net& net, const PageLayout& layout) {
+/// What was found, and where it goes on paper.
+struct Drawing {
+  PageLayout layout;
+  std::vector<fs::path> files;
+};
+
+std::vector<fs::path> write_one(const fs::path& output, const UnfoldCommand& command, const CliModel& model,
+                                const UnfoldOutcome& outcome, const PageLayout& layout) {
+  if (has_project_name(output)) {
+    write_project(output, model, outcome.result, outcome.search_seconds, command);
+    return {output};
+  }
   const SheetInfo info{"", true, static_cast<std::uint64_t>(command.seed)};
-  std::vector<fs::path> written;
+  return write_drawing(output, outcome.result.net, layout, info);
+}
+
+/// All files or none: when one cannot be written, those that this run added before it go again.
+Drawing draw(const UnfoldCommand& command, const CliModel& model, const UnfoldOutcome& outcome) {
+  Drawing drawing;
+  drawing.layout = arrange(outcome.result.net, command.paper, command.size);
   std::vector<fs::path> added;
   try {
     for (const fs::path& output : command.outputs) {
       std::error_code ignored;
       const bool was_there = fs::exists(output, ignored);
-      for (const fs::path& file : write_drawing(output, net, layout, info)) {
-        written.push_back(file);
+      for (const fs::path& file : write_one(output, command, model, outcome, drawing.layout)) {
+        drawing.files.push_back(file);
         if (!was_there) added.push_back(file);
       }
     }
@@ -115,19 +99,6 @@ std::vector<fs::path> write_all(const UnfoldCommand& command, const Net& net, co
     for (const fs::path& file : added) fs::remove(file, ignored);
     throw;
   }
-  return written;
-}
-
-/// Pieces, and where they go on paper.
-struct Drawing {
-  PageLayout layout;
-  std::vector<fs::path> files;
-};
-
-Drawing draw(const UnfoldCommand& command, const Net& net) {
-  Drawing drawing;
-  drawing.layout = arrange(net, command.paper, command.size);
-  drawing.files = write_all(command, net, drawing.layout);
   return drawing;
 }
 
@@ -139,35 +110,38 @@ void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, co
 
 }  // namespace
 
-int run_unfold(const UnfoldCommand& command) {
+int run_unfold(const UnfoldCommand& asked) {
+  UnfoldCommand command = asked;
   const double start = now_seconds();
   for (const fs::path& output : command.outputs) check_output(output);
   static_cast<void>(page_frame(command.paper));  // refuses unknown paper
   const Interrupts interrupts;
-  Model model;
+  CliModel model;
   Watched watched =
-      run_watched(interrupts, [&](Progress& progress) { model = read_model(command, progress); });
+      run_watched(interrupts, [&](Progress& progress) { model = read_cli_model(command, progress); });
   if (watched.was_interrupted) return kCancelled;
   for (const std::string& notice : model.notices) complain("note: " + notice);
 
-  const Mesh& mesh = model.dual->mesh();
-  const SolveOptions options = solve_options(command, mesh);
+  const Mesh& mesh = model.project.dual->mesh();
+  const SolveOptions options = solve_options(command, model.project);
   SolveResult result;
   const double search_start = now_seconds();
-  {
+  if (model.net) {
+    result = *model.net;
+  } else {
     ProgressLine line;
     const auto limit = command.time_limit_s > 0 ? std::optional(command.time_limit_s) : std::nullopt;
     watched = run_watched(
         interrupts,
         [&](Progress& progress) {
-          result = solve(model.dual, options, progress, {line.snapshots(), {}});
+          result = solve(model.project.dual, options, progress, {line.snapshots(), {}});
         },
         limit, &line);
   }
   if (watched.was_interrupted) return kCancelled;
   UnfoldOutcome outcome{mesh, result, now_seconds() - search_start, 0};
   Drawing drawing;
-  if (result.is_proved && !command.outputs.empty()) drawing = draw(command, result.net);
+  if (result.is_proved && !command.outputs.empty()) drawing = draw(command, model, outcome);
   outcome.wall_seconds = now_seconds() - start;
   if (command.is_json) {
     print(to_text(unfold_json(outcome, command), {.is_indented = true}));

@@ -337,8 +337,17 @@ TEST(LoadProject, SaysWhatIsNoProject) {
   EXPECT_NE(told(folder / "empty.netwright").find("is empty"), std::string::npos);
   EXPECT_NE(told(folder / "cube.netwright").find("is no Netwright project"), std::string::npos);
   EXPECT_NE(told(folder / "none.netwright").find("does not exist"), std::string::npos);
-  EXPECT_FALSE(is_project_file(folder / "cube.netwright"));
-  EXPECT_FALSE(is_project_file(folder / "none.netwright"));
+}
+
+TEST(IsProjectFile, LooksAtNameAndContent) {
+  const TemporaryFolder folder;
+  const std::string bytes = project_bytes(project_of(shapes::cube()));
+  write_file(folder / "renamed.zip", bytes);
+  write_file(folder / "cube.obj", shapes::to_obj(shapes::cube()));
+  EXPECT_TRUE(is_project_file(folder / "renamed.zip"));
+  EXPECT_TRUE(is_project_file(folder / "missing.NetWright"));
+  EXPECT_FALSE(is_project_file(folder / "cube.obj"));
+  EXPECT_FALSE(is_project_file(folder / "missing.obj"));
 }
 
 }  // namespace

@@ -204,9 +204,16 @@ bool is_project(std::string_view first_bytes) {
          first_bytes.substr(kFirstName, kFirstEntry.size()) == kFirstEntry;
 }
 
+bool has_project_name(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension.size() == kProjectExtension.size() + 1 && extension.substr(1) == kProjectExtension;
+}
+
 bool is_project_file(const fs::path& path) {
   std::error_code ignored;
-  return fs::is_regular_file(path, ignored) && is_project(read_head(path));
+  return has_project_name(path) || (fs::is_regular_file(path, ignored) && is_project(read_head(path)));
 }
 
 std::string project_bytes(const Project& project, const fs::path& belongs_to, PictureCache* cache) {

@@ -16,8 +16,9 @@ inline constexpr std::string_view kProjectMimeType = "application/x-netwright";
 
 /// Does a file that starts with these bytes (64 suffice) claim to be a project?
 bool is_project(std::string_view first_bytes);
-/// The same for a file; false when it cannot be read.
+/// Is the file called a project (*.netwright, in any case), or does its content say that it is one?
 bool is_project_file(const std::filesystem::path& path);
+bool has_project_name(const std::filesystem::path& path);
 
 /// The project must have a model. The same project gives the same bytes.
 std::string project_bytes(const Project& project, const std::filesystem::path& belongs_to = {},

@@ -5,10 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "core/project/project_file.h"
 #include "core/sheet/fold_file.h"
 #include "core/unfold/net.h"
 #include "core/unfold/steepest_edge.h"
 #include "tests/model_files.h"
+#include "tests/project_support.h"
 #include "tests/support.h"
 
 namespace {
@@ -41,6 +43,23 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
+/// As the fuzzer of projects cuts it.
+std::string in_one(const ProjectParts& parts) {
+  std::string bytes;
+  for (const std::string& part : {parts.json, parts.source, parts.base, parts.mesh}) {
+    testing::append(bytes, static_cast<std::uint32_t>(part.size()));
+    bytes += part;
+  }
+  return parts.pictures.empty() ? bytes : bytes + parts.pictures.front();
+}
+
+void write_project(const std::filesystem::path& folder, const std::string& name, Project project) {
+  project = testing::solved(std::move(project));
+  project.path = "model.obj";
+  write(folder, name + ".zip", project_bytes(project, "project.netwright"));
+  write(folder, name + ".parts", in_one(to_parts(project, {}, nullptr)));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -60,6 +79,12 @@ int main(int argc, char** argv) {
     write(root / "gltf", soup.name + ".text", testing::gltf_text(soup, R"({"mesh":0})", uri));
     write(root / "gltf", soup.name + ".binary", testing::to_glb(soup));
   }
+  for (const PolygonSoup& soup : soups) write_project(root / "project", soup.name, testing::project_of(soup));
+  PolygonSoup painted = soups.back();
+  const Image pixels{.width = 2, .height = 1, .rgba = {255, 0, 0, 255, 0, 255, 0, 128}};
+  painted.materials = {{"paint", {1, 1, 1}, std::make_shared<const Image>(pixels)}};
+  painted.face_material.assign(static_cast<std::size_t>(painted.n_faces()), 0);
+  write_project(root / "project", "painted", testing::project_of(painted, {.faces = 12, .merges = true}));
   write(root / "obj", "textured", shapes::to_obj(soups.back(), "library.mtl"));
   return 0;
 }

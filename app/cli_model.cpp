@@ -1,0 +1,126 @@
+// Reading for unfold. A project file and a model file lead to the same Project, the one with its tree, the
+// other without.
+#include "app/cli_model.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/mesh/read.h"
+#include "core/project/commands.h"
+#include "core/project/project_file.h"
+#include "core/unfold/flat_net.h"
+
+namespace netwright {
+namespace {
+
+/// Where repairing would help and was not asked for, the refusal ends with how to ask.
+std::string repair_hint(const std::shared_ptr<const PolygonSoup>& soup, Recipe recipe, Progress& progress) {
+  if (recipe.repairs) return "";
+  recipe = {.repairs = true, .uneven = recipe.uneven};
+  return make_model(soup, recipe, nullptr, progress).dual ? " Or add --repair." : "";
+}
+
+void make(CliModel& model, const Recipe& recipe, Progress& progress) {
+  Project& project = model.project;
+  auto made = std::make_shared<const MadeModel>(make_model(project.source, recipe, nullptr, progress));
+  if (!made->dual)
+    throw Error(ErrorKind::Unfit, made->refusal + repair_hint(project.source, recipe, progress));
+  model.notices = made->done;
+  for (const MeshReport::Line& line : made->report.lines)
+    if (line.kind == MeshReport::Line::Kind::Notice) model.notices.push_back(line.text);
+  project.recipe = recipe;
+  project.dual = made->dual;
+  project.made = std::move(made);
+}
+
+FaceId face_of_file(const Mesh& mesh, int number) {
+  if (number > static_cast<int>(mesh.n_faces())) {
+    throw Error(ErrorKind::Usage, "There is no face " + std::to_string(number) +
+                                      " to start from: " + mesh.name() + " has the faces 1 to " +
+                                      std::to_string(mesh.n_faces()) + ".");
+  }
+  FaceId found;
+  for (const FaceId face : mesh.faces())
+    if (number > 0 && mesh.face_source(face) == number - 1) found = face;
+  return found;
+}
+
+/// The project's own net as if it had just been found; nothing where it is not proved.
+std::optional<SolveResult> stored_net(const Project& project) {
+  if (!project.tree || !project.run || !project.run->is_proved) return std::nullopt;
+  SolveResult result;
+  result.net = layout(project.dual, *project.tree);
+  result.proof = verify(to_flat_net(result.net, 1), static_cast<int>(project.dual->mesh().n_components()));
+  result.is_proved = result.proof.is_net;
+  result.moves = project.run->moves;
+  result.restarts = project.run->restarts;
+  if (!result.is_proved) return std::nullopt;
+  return result;
+}
+
+CliModel read_stored(UnfoldCommand& command, Progress& progress) {
+  CliModel model;
+  progress.set_phase("Reading " + command.model.filename().string());
+  model.project = load_project(command.model).project;
+  Project& project = model.project;
+  const UnfoldCommand::Given& given = command.given;
+  if (given.recipe) {
+    Progress making;
+    const Recipe recipe = command.recipe;
+    make(model, recipe, making);
+    project.tree = nullptr;
+    project.run.reset();
+    project.pinned_root = FaceId();
+  }
+  command.recipe = project.recipe;
+  if (given.root) project.pinned_root = face_of_file(project.dual->mesh(), command.root);
+  if (given.seed) project.seed = static_cast<std::uint64_t>(command.seed);
+  if (given.paper) project.paper = command.paper;
+  if (given.size) project.size = command.size;
+  command.seed = static_cast<std::int64_t>(project.seed);
+  command.paper = project.paper;
+  command.size = project.size;
+  if (given.recipe || given.root || given.seed || given.search) return model;
+  model.net = stored_net(project);
+  if (model.net) {
+    command.seed = static_cast<std::int64_t>(project.run->seed);
+    model.notices.push_back(command.model.filename().string() +
+                            " holds a proved net, which is taken as it is; name a --seed to search anew.");
+  }
+  return model;
+}
+
+}  // namespace
+
+CliModel read_cli_model(UnfoldCommand& command, Progress& progress) {
+  if (is_project_file(command.model)) return read_stored(command, progress);
+  CliModel model;
+  Project& project = model.project;
+  std::error_code ignored;
+  project.path = std::filesystem::absolute(command.model, ignored);
+  project.source = std::make_shared<const PolygonSoup>(read_soup(command.model));
+  make(model, command.recipe, progress);
+  project.pinned_root = face_of_file(project.dual->mesh(), command.root);
+  project.seed = static_cast<std::uint64_t>(command.seed);
+  project.paper = command.paper;
+  project.size = command.size;
+  return model;
+}
+
+void write_project(const std::filesystem::path& path, const CliModel& model, const SolveResult& result,
+                   double search_seconds, const UnfoldCommand& command) {
+  if (model.net) {
+    save_project(model.project, path);
+    return;
+  }
+  RunSummary run;
+  run.seed = static_cast<std::uint64_t>(command.seed);
+  run.moves = result.moves;
+  run.restarts = result.restarts;
+  run.seconds = search_seconds;
+  run.overlaps = static_cast<int>(result.overlaps.size());
+  run.is_proved = result.is_proved;
+  save_project(accept_tree(model.project, result.net.tree, run), path);
+}
+
+}  // namespace netwright

@@ -1,0 +1,29 @@
+// What the command line unfolds: a model file, or a project with what its user had decided before.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli_options.h"
+#include "core/project/project.h"
+#include "core/solve/solve.h"
+
+namespace netwright {
+
+struct CliModel {
+  Project project;                   ///< its dual is there
+  std::vector<std::string> notices;  ///< whole sentences
+  std::optional<SolveResult> net;    ///< a project's own proved net, where the options ask for no other one
+};
+
+/// Reads the model or project and makes the mesh. What the options leave open, a project decides: recipe,
+/// seed, root, paper and size of `command` are then those that count. Throws Error.
+CliModel read_cli_model(UnfoldCommand& command, Progress& progress);
+
+/// Writes a project with this net in it. Throws Error(Write).
+void write_project(const std::filesystem::path& path, const CliModel& model, const SolveResult& result,
+                   double search_seconds, const UnfoldCommand& command);
+
+}  // namespace netwright
