@@ -138,5 +138,16 @@ TEST(MakeModel, ACancelledMakingIsNoModelOfTheRecipe) {
   EXPECT_EQ(model.stages->simplifier, nullptr);
 }
 
+TEST(MakeModel, ReportsWhatTheReaderMissed) {
+  PolygonSoup cube = shapes::grid_cube(2);
+  cube.notices = {"The picture gone.png was not found; its faces stay plain."};
+  Progress progress;
+  const auto source = std::make_shared<const PolygonSoup>(cube);
+  for (const bool merges : {false, true}) {
+    const MadeModel model = make_model(source, {.merges = merges}, nullptr, progress);
+    EXPECT_EQ(model.report.count(MeshReport::Topic::MissingTextures), 1);
+  }
+}
+
 }  // namespace
 }  // namespace netwright

@@ -190,6 +190,22 @@ inline std::string to_3ds(const PolygonSoup& soup) {
   return chunk(0x4D4D, chunk(0x3D3D, chunk(0x4000, object)));
 }
 
+/// A 3MF package around the text of its model.
+inline std::string to_3mf_package(const std::string& model) {
+  return to_zip(
+      {{"[Content_Types].xml",
+        R"(<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">)"
+        R"(<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>)"
+        R"(<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>)"
+        R"(</Types>)"},
+       {"_rels/.rels",
+        R"(<?xml version="1.0"?><Relationships )"
+        R"(xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)"
+        R"(<Relationship Target="/3D/3dmodel.model" Id="rel0" )"
+        R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)"},
+       {"3D/3dmodel.model", model}});
+}
+
 /// Triangles only.
 inline std::string to_3mf(const PolygonSoup& soup) {
   std::ostringstream model;
@@ -205,18 +221,7 @@ inline std::string to_3mf(const PolygonSoup& soup) {
     model << "<triangle v1=\"" << face[0] << "\" v2=\"" << face[1] << "\" v3=\"" << face[2] << "\"/>";
   }
   model << R"(</triangles></mesh></object></resources><build><item objectid="1"/></build></model>)";
-  return to_zip(
-      {{"[Content_Types].xml",
-        R"(<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">)"
-        R"(<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>)"
-        R"(<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>)"
-        R"(</Types>)"},
-       {"_rels/.rels",
-        R"(<?xml version="1.0"?><Relationships )"
-        R"(xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)"
-        R"(<Relationship Target="/3D/3dmodel.model" Id="rel0" )"
-        R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)"},
-       {"3D/3dmodel.model", model.str()}});
+  return to_3mf_package(model.str());
 }
 
 /// The numbers of a glTF: positions as floats, then indices as 16-bit integers.

@@ -137,22 +137,52 @@ TEST(ReadInChild, RefusesAListThatAsksForGigabytes) {
   EXPECT_NE(refusal("a.ply", bytes).find("more memory than a model should"), std::string::npos);
 }
 
+PolygonSoup dressed_star() {
+  PolygonSoup soup = shapes::star(5);
+  for (std::size_t c = 0; c < soup.corners.size(); ++c) soup.corner_uv.emplace_back(c, 0.5);
+  soup.materials = {{.name = "grey", .texture = nullptr},
+                    {.name = "gold", .colour = {0.9, 0.7, 0.1}, .texture = nullptr}};
+  for (int f = 0; f < soup.n_faces(); ++f) soup.face_material.push_back(f % 3 - 1);
+  return soup;
+}
+
+readers::ParsedModel parsed(const PolygonSoup& soup) {
+  return {.soup = soup, .pictures = {{"gold.png", "pixels"}}, .picture_of = {-1, 0}};
+}
+
 TEST(SoupBytes, ComeBackAsTheyWere) {
-  const PolygonSoup soup = shapes::star(5);
-  const PolygonSoup back = readers::unpack("star", readers::pack(soup));
-  EXPECT_EQ(back.points, soup.points);
-  EXPECT_EQ(back.face_begin, soup.face_begin);
-  EXPECT_EQ(back.corners, soup.corners);
+  const PolygonSoup soup = dressed_star();
+  const readers::ParsedModel back = readers::unpack("star", readers::pack(parsed(soup)));
+  EXPECT_EQ(back.soup.points, soup.points);
+  EXPECT_EQ(back.soup.face_begin, soup.face_begin);
+  EXPECT_EQ(back.soup.corners, soup.corners);
+  EXPECT_EQ(back.soup.corner_uv, soup.corner_uv);
+  EXPECT_EQ(back.soup.face_material, soup.face_material);
+  ASSERT_EQ(back.soup.materials.size(), 2U);
+  EXPECT_EQ(back.soup.materials[1].name, "gold");
+  EXPECT_EQ(back.soup.materials[1].colour, glm::dvec3(0.9, 0.7, 0.1));
+  EXPECT_EQ(back.picture_of, (std::vector<int>{-1, 0}));
+  ASSERT_EQ(back.pictures.size(), 1U);
+  EXPECT_EQ(back.pictures[0].name, "gold.png");
+  EXPECT_EQ(back.pictures[0].bytes, "pixels");
 }
 
 TEST(SoupBytes, AreNotBelievedWhenTheyDoNotAddUp) {
-  const std::string packed = readers::pack(shapes::star(5));
+  const std::string packed = readers::pack(parsed(dressed_star()));
   EXPECT_THROW(readers::unpack("star", ""), Error);
   EXPECT_THROW(readers::unpack("star", packed + "x"), Error);
   EXPECT_THROW(readers::unpack("star", packed.substr(0, packed.size() - 4)), Error);
-  std::string lying = packed;
-  std::memset(lying.data() + 1, 0x7F, 8);
-  EXPECT_THROW(readers::unpack("star", lying), Error);
+  for (std::size_t count = 0; count < 7; ++count) {
+    std::string lying = packed;
+    std::memset(lying.data() + 1 + 8 * count, 0x7F, 8);
+    EXPECT_THROW(readers::unpack("star", lying), Error) << count;
+  }
+  readers::ParsedModel model = parsed(dressed_star());
+  model.picture_of[1] = 1;
+  EXPECT_THROW(readers::unpack("star", readers::pack(model)), Error);
+  model = parsed(dressed_star());
+  model.soup.face_material[2] = 2;
+  EXPECT_THROW(readers::unpack("star", readers::pack(model)), Error);
 }
 
 }  // namespace

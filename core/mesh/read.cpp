@@ -228,7 +228,7 @@ PolygonSoup read_kind(Kind kind, const std::string& name, std::string_view bytes
       break;
   }
   const ModelFormat& format = kFormats[static_cast<std::size_t>(kind)];
-  return readers::read_in_child(name, bytes, std::string(format.extensions.front()));
+  return readers::read_in_child(name, bytes, std::string(format.extensions.front()), companions);
 }
 
 void check_soup(const std::string& name, const PolygonSoup& soup) {
@@ -256,6 +256,15 @@ void check_soup(const std::string& name, const PolygonSoup& soup) {
   }
 }
 
+void clean_colours(PolygonSoup& soup) {
+  for (Material& material : soup.materials) {
+    for (int i = 0; i < 3; ++i) {
+      double& share = material.colour[i];
+      share = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : Material().colour[i];
+    }
+  }
+}
+
 /// Texture coordinates that are no numbers would poison a drawing: they are left out, and told.
 void clean_uv(PolygonSoup& soup) {
   bool was_bad = false;
@@ -265,6 +274,21 @@ void clean_uv(PolygonSoup& soup) {
     was_bad = true;
   }
   if (was_bad) soup.notices.emplace_back("Some texture coordinates are not numbers; they were set to zero.");
+}
+
+/// The file of that name, large and small letters being the same (models from Windows); else the name itself.
+std::filesystem::path in_any_case(const std::filesystem::path& wanted) {
+  std::error_code error;
+  const auto alike = [](char a, char b) {
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return small(a) == small(b);
+  };
+  const std::string name = wanted.filename().string();
+  for (std::filesystem::directory_iterator at(wanted.parent_path(), error), end; !error && at != end;
+       at.increment(error)) {
+    if (std::ranges::equal(at->path().filename().string(), name, alike)) return at->path();
+  }
+  return wanted;
 }
 
 /// A whole file; empty when it is no file, cannot be read or is too large.
@@ -313,6 +337,7 @@ PolygonSoup read_soup_bytes(const std::string& name, std::string_view bytes,
   for (Material& material : soup.materials) material.name = readers::readable(material.name);
   soup.up_axis = kFormats[static_cast<std::size_t>(kind)].up_axis;
   check_soup(name, soup);
+  clean_colours(soup);
   clean_uv(soup);
   return soup;
 }
@@ -326,7 +351,9 @@ PolygonSoup read_soup(const std::filesystem::path& path) {
     const std::filesystem::path wanted(file);
     std::optional<std::string> found;
     if (wanted.is_relative()) found = file_bytes(path.parent_path() / wanted);
-    return found ? found : file_bytes(path.parent_path() / wanted.filename());
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (!found) found = file_bytes(folder / wanted.filename());
+    return found ? found : file_bytes(in_any_case(folder / wanted.filename()));
   };
   return read_soup_bytes(name, bytes, beside);
 }

@@ -12,7 +12,7 @@
 #include <glm/mat4x4.hpp>
 #include <limits>
 
-#include "core/base/image.h"
+#include "core/mesh/pictures.h"
 #include "core/mesh/readers.h"
 
 namespace netwright::readers {
@@ -280,22 +280,23 @@ class SceneReader {
       }
       soup_.materials.push_back(std::move(mine));
     }
+    for (std::string& notice : pictures_.notices()) soup_.notices.push_back(std::move(notice));
   }
 
   std::shared_ptr<const Image> load_picture(const tinygltf::Image& image) {
     const std::span<const unsigned char> bytes =
         image.bufferView >= 0 ? view_bytes(model_, image.bufferView) : std::span(image.image);
-    auto picture = std::make_shared<const Image>(
-        decode_image({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
-    if (!picture->is_empty()) return picture;
-    const std::string& label = image.uri.empty() ? image.name : image.uri;
-    soup_.notices.push_back("The picture" + (label.empty() ? label : " " + label) +
-                            " cannot be read; its faces stay plain.");
-    return nullptr;
+    if (bytes.empty() && image.bufferView < 0 && !image.uri.empty()) {
+      pictures_.miss(image.uri);
+      return nullptr;
+    }
+    return pictures_.from_bytes(image.uri.empty() ? image.name : image.uri,
+                                {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
 
   const std::string& name_;
   const tinygltf::Model& model_;
+  Pictures pictures_;
   PolygonSoup soup_;
   int n_left_out_ = 0;
   bool has_uv_ = false;

@@ -20,7 +20,7 @@ std::string read_all(std::FILE* file) {
 
 std::string answer(const std::string& bytes, const std::string& extension) {
   try {
-    return netwright::readers::pack(netwright::readers::read_with_assimp(bytes, extension));
+    return netwright::readers::pack(netwright::readers::parse_with_assimp(bytes, extension));
   } catch (const std::bad_alloc&) {
     return "Eit asks for more memory than a model should";
   } catch (const std::exception& error) {

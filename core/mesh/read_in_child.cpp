@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/subprocess.h"
+#include "core/mesh/pictures.h"
 #include "core/mesh/readers.h"
 
 namespace netwright::readers {
@@ -26,9 +27,24 @@ std::string as_clause(std::string_view said) {
   return clause.empty() ? "no reason given" : clause;
 }
 
+void add_textures(ParsedModel& model, const CompanionLookup& companions) {
+  Pictures pictures(companions);
+  std::vector<std::shared_ptr<const Image>> images;
+  for (const ParsedModel::Picture& picture : model.pictures) {
+    images.push_back(picture.bytes.empty() ? pictures.from_file(picture.name)
+                                           : pictures.from_bytes(picture.name, picture.bytes));
+  }
+  for (std::size_t m = 0; m < model.picture_of.size(); ++m) {
+    const int picture = model.picture_of[m];
+    if (picture >= 0) model.soup.materials[m].texture = images[static_cast<std::size_t>(picture)];
+  }
+  model.soup.notices = pictures.notices();
+}
+
 }  // namespace
 
-PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension) {
+PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension,
+                          const CompanionLookup& companions) {
   check_header(name, bytes, extension);
   if (std::error_code error; !std::filesystem::exists(helper(), error)) {
     refuse(name,
@@ -51,7 +67,9 @@ PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const
     refuse(name, "the file is damaged (" + as_clause(std::string_view(result.output).substr(1)) +
                      "); export it again.");
   }
-  PolygonSoup soup = unpack(name, result.output);
+  ParsedModel parsed = unpack(name, result.output);
+  add_textures(parsed, companions);
+  PolygonSoup soup = std::move(parsed.soup);
   soup.is_indexed = extension != "stl";
   return soup;
 }

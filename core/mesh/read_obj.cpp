@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "core/base/image.h"
+#include "core/mesh/pictures.h"
 #include "core/mesh/readers.h"
 #include "core/mesh/words.h"
 
@@ -170,30 +170,18 @@ tinyobj::callback_t callbacks() {
   return calls;
 }
 
-std::shared_ptr<const Image> load_picture(const std::string& file, const CompanionLookup& companions,
-                                          std::vector<std::string>& notices) {
-  const std::optional<std::string> bytes = companions(file);
-  auto image = std::make_shared<const Image>(bytes ? decode_image(*bytes) : Image{});
-  if (!image->is_empty()) return image;
-  notices.push_back("The picture " + file + (bytes ? " cannot be read" : " was not found") +
-                    "; its faces stay plain.");
-  return nullptr;
-}
-
 void add_materials(PolygonSoup& soup, const std::vector<tinyobj::material_t>& found,
                    const CompanionLookup& companions) {
-  std::map<std::string, std::shared_ptr<const Image>> pictures;
+  Pictures pictures(companions);
   for (const tinyobj::material_t& material : found) {
     Material mine{.name = material.name,
                   .colour = {material.diffuse[0], material.diffuse[1], material.diffuse[2]},
                   .texture = nullptr};
     const std::string& file = material.diffuse_texname;
-    if (!file.empty()) {
-      if (!pictures.contains(file)) pictures[file] = load_picture(file, companions, soup.notices);
-      mine.texture = pictures[file];
-    }
+    if (!file.empty()) mine.texture = pictures.from_file(file);
     soup.materials.push_back(std::move(mine));
   }
+  for (std::string& notice : pictures.notices()) soup.notices.push_back(std::move(notice));
 }
 
 }  // namespace

@@ -22,16 +22,28 @@ PolygonSoup read_off(const std::string& name, std::string_view bytes);
 
 /// Reads STL, PLY, 3MF, Collada or 3DS in a child process, so that neither a crash nor a blow-up in the
 /// library that parses them costs the user anything. `extension` is one of "stl", "ply", "3mf", "dae", "3ds".
-PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension);
+PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension,
+                          const CompanionLookup& companions);
 
 /// Refuses a file whose header promises more than the file can hold, before anyone allocates that much.
 void check_header(const std::string& name, std::string_view bytes, const std::string& extension);
 
-/// A soup's shape (points, faces) as bytes and back, for the pipe between the two processes.
-std::string pack(const PolygonSoup& soup);
-PolygonSoup unpack(const std::string& name, std::string_view packed);
+/// What the helper makes of a file: a soup whose materials have no textures yet, and where these are.
+struct ParsedModel {
+  struct Picture {
+    std::string name;   ///< as the model has it, a file beside it when there are no bytes
+    std::string bytes;  ///< of a picture inside the model
+  };
+  PolygonSoup soup;
+  std::vector<Picture> pictures;
+  std::vector<int> picture_of;  ///< per material: index into pictures or -1
+};
+
+/// A parsed model as bytes and back, for the pipe between the two processes.
+std::string pack(const ParsedModel& model);
+ParsedModel unpack(const std::string& name, std::string_view packed);
 
 /// The helper's own part: parses with Assimp. Throws Error(Read) with what Assimp said.
-PolygonSoup read_with_assimp(std::string_view bytes, const std::string& extension);
+ParsedModel parse_with_assimp(std::string_view bytes, const std::string& extension);
 
 }  // namespace netwright::readers

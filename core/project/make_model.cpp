@@ -110,6 +110,7 @@ class Maker {
       for (std::string& sentence : merged.sentences) model_.done.push_back(std::move(sentence));
     }
     model_.report = report_on(*mesh);
+    add_reader_notices(*source_, model_.report);
     model_.dual = std::make_shared<const DualGraph>(std::move(mesh));
   }
 

@@ -16,12 +16,12 @@ OpenedModel open_model(const ModelSource& source, Progress& progress) {
   model.path = source.path;
   model.source = std::make_shared<const PolygonSoup>(
       is_file ? read_soup(source.path) : read_soup_bytes(source.name, source.bytes, source.companions));
-  model.notices = model.source->notices;
   model.made = make_model(model.source, {}, nullptr, progress);
   if (!model.made.dual && !progress.is_cancelled()) {
     auto repaired = std::make_shared<MadeModel>(make_model(model.source, kRepairing, nullptr, progress));
     if (!repaired->dual) throw Error(ErrorKind::Unfit, repaired->refusal);
     model.repaired = std::move(repaired);
+    model.notices = model.source->notices;
     return model;
   }
   for (const MeshReport::Line& line : model.made.report.lines)

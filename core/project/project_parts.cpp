@@ -321,6 +321,7 @@ class Reader {
       refuse_damaged(file_, std::string("its mesh cannot be unfolded (") + error.what() + ")");
     }
     made->report = report_on(*mesh);
+    add_reader_notices(*project.source, made->report);
     made->done = fields.texts("done");
     made->deviation = fields.number("deviation", 0, kMostNumber, 0);
     made->n_faces_least = static_cast<int>(fields.integer("fewest_faces", 0, kMostInt, 0));
