@@ -2,10 +2,13 @@
 // other without.
 #include "app/cli_model.h"
 
+#include "app/cli_pins.h"
+
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/mesh/read.h"
+#include "core/project/carry_pins.h"
 #include "core/project/commands.h"
 #include "core/project/project_file.h"
 #include "core/unfold/flat_net.h"
@@ -33,18 +36,6 @@ void make(CliModel& model, const Recipe& recipe, Progress& progress) {
   project.made = std::move(made);
 }
 
-FaceId face_of_file(const Mesh& mesh, int number) {
-  if (number > static_cast<int>(mesh.n_faces())) {
-    throw Error(ErrorKind::Usage, "There is no face " + std::to_string(number) +
-                                      " to start from: " + mesh.name() + " has the faces 1 to " +
-                                      std::to_string(mesh.n_faces()) + ".");
-  }
-  FaceId found;
-  for (const FaceId face : mesh.faces())
-    if (number > 0 && mesh.face_source(face) == number - 1) found = face;
-  return found;
-}
-
 /// The project's own net as if it had just been found; nothing where it is not proved.
 std::optional<SolveResult> stored_net(const Project& project) {
   if (!project.tree || !project.run || !project.run->is_proved) return std::nullopt;
@@ -67,20 +58,23 @@ CliModel read_stored(UnfoldCommand& command, Progress& progress) {
   if (given.recipe) {
     Progress making;
     const Recipe recipe = command.recipe;
+    const auto before = project.dual;
     make(model, recipe, making);
     project.tree = nullptr;
     project.run.reset();
-    project.pinned_root = FaceId();
+    const CarriedPins carried = carry_pins(project.pins, before->mesh(), project.dual->mesh());
+    project.pins = carried.pins;
+    if (carried.n_lost > 0) model.notices.push_back(carried.sentence());
   }
   command.recipe = project.recipe;
-  if (given.root) project.pinned_root = face_of_file(project.dual->mesh(), command.root);
+  if (given.pins) project.pins = pins_of(command, project.dual->mesh());
   if (given.seed) project.seed = static_cast<std::uint64_t>(command.seed);
   if (given.paper) project.paper = command.paper;
   if (given.size) project.size = command.size;
   command.seed = static_cast<std::int64_t>(project.seed);
   command.paper = project.paper;
   command.size = project.size;
-  if (given.recipe || given.root || given.seed || given.search) return model;
+  if (given.recipe || given.pins || given.seed || given.search) return model;
   model.net = stored_net(project);
   if (model.net) {
     command.seed = static_cast<std::int64_t>(project.run->seed);
@@ -100,7 +94,7 @@ CliModel read_cli_model(UnfoldCommand& command, Progress& progress) {
   project.path = std::filesystem::absolute(command.model, ignored);
   project.source = std::make_shared<const PolygonSoup>(read_soup(command.model));
   make(model, command.recipe, progress);
-  project.pinned_root = face_of_file(project.dual->mesh(), command.root);
+  project.pins = pins_of(command, project.dual->mesh());
   project.seed = static_cast<std::uint64_t>(command.seed);
   project.paper = command.paper;
   project.size = command.size;

@@ -62,6 +62,31 @@ CLI::Validator within(Number least, Number most, const std::string& words) {
       "");
 }
 
+/// Face numbers with this between them, two at least ("12:13", "4,5,6"); nothing when it isn't that.
+std::optional<std::vector<int>> numbers_in(const std::string& word, char between) {
+  std::vector<int> numbers;
+  std::istringstream rest(word);
+  for (std::string part; std::getline(rest, part, between);) {
+    const bool is_number = !part.empty() && part.size() < 10 &&
+                           std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!is_number || std::stoi(part) < 1) return std::nullopt;
+    numbers.push_back(std::stoi(part));
+  }
+  if (word.back() == between || numbers.size() < 2 || (between == ':' && numbers.size() > 2))
+    return std::nullopt;
+  return numbers;
+}
+
+CLI::Validator faces_apart_by(char between) {
+  return CLI::Validator(
+      [between](std::string& word) {
+        if (!word.empty() && numbers_in(word, between)) return std::string();
+        return between == ':' ? std::string("it must be two face numbers counted from 1, as in 12:13")
+                              : std::string("it must be face numbers counted from 1, as in 4,5,6");
+      },
+      "");
+}
+
 class Reader {
  public:
   Reader() {
@@ -97,6 +122,7 @@ class Reader {
     if (is_split_) unfold_.recipe.uneven = UnevenFaces::Split;
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
     note_given();
+    take_pins();
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     // "a4" is understood; what is printed calls it by its own name.
     if (const auto paper = find_paper(unfold_.paper.format)) unfold_.paper.format = paper->name;
@@ -141,6 +167,7 @@ class Reader {
                    "Face that the net starts from, by its number in the file counted from 1")
         ->type_name("FACE")
         ->check(within(1, 2000000000, "the number of a face, counted from 1"));
+    add_pins(app);
     app.add_option("--paper", unfold_.paper.format, "Paper format: A4, A3, Letter …")
         ->type_name("NAME")
         ->capture_default_str();
@@ -151,6 +178,37 @@ class Reader {
     app.add_flag("--fit-page", is_fit_page_, "Print as large as one page allows (this is the default)")
         ->excludes(height_);
     app.add_flag("--json", unfold_.is_json, "Print the result as one JSON object");
+  }
+
+  void add_pins(CLI::App& app) {
+    app.add_option("--must-fold", must_fold_,
+                   "Edge that is to be a fold, told by the two faces that share it")
+        ->type_name("A:B")
+        ->allow_extra_args(false)
+        ->take_all()
+        ->check(faces_apart_by(':'));
+    app.add_option("--must-cut", must_cut_, "Edge that is to be a cut, likewise")
+        ->type_name("A:B")
+        ->allow_extra_args(false)
+        ->take_all()
+        ->check(faces_apart_by(':'));
+    app.add_option("--keep-together", together_, "Faces that are to stay joined by folds among themselves")
+        ->type_name("A,B,…")
+        ->allow_extra_args(false)
+        ->take_all()
+        ->check(faces_apart_by(','));
+  }
+
+  void take_pins() {
+    for (const std::string& word : must_fold_) {
+      const std::vector<int> faces = *numbers_in(word, ':');
+      unfold_.must_fold.emplace_back(faces[0], faces[1]);
+    }
+    for (const std::string& word : must_cut_) {
+      const std::vector<int> faces = *numbers_in(word, ':');
+      unfold_.must_cut.emplace_back(faces[0], faces[1]);
+    }
+    for (const std::string& word : together_) unfold_.together.push_back(*numbers_in(word, ','));
   }
 
   void add_verify() {
@@ -216,7 +274,8 @@ class Reader {
     unfold_.given.seed = is_named("--seed");
     unfold_.given.search = is_named("--search") || is_named("--streams");
     unfold_.given.recipe = !(unfold_.recipe == Recipe{});
-    unfold_.given.root = is_named("--root");
+    unfold_.given.pins = is_named("--root") || is_named("--must-fold") || is_named("--must-cut") ||
+                         is_named("--keep-together");
     unfold_.given.paper = is_named("--paper");
     unfold_.given.size = is_named("--height") || is_named("--fit-page");
   }
@@ -261,6 +320,7 @@ class Reader {
   InfoCommand info_;
   BenchCommand bench_;
   std::vector<std::string> outputs_;
+  std::vector<std::string> must_fold_, must_cut_, together_;
   std::vector<std::string> bench_paths_;
   std::string search_ = "fast";
 };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -23,8 +24,11 @@ struct UnfoldCommand {
   int streams = 2;
   int threads = 0;  ///< 0 = as many as there are streams and cores
   SearchStyle search = SearchStyle::Fast;
-  Recipe recipe;  ///< what is done to the model first
-  int root = 0;   ///< face number counted from 1, 0 = none
+  Recipe recipe;                               ///< what is done to the model first
+  int root = 0;                                ///< face number counted from 1, 0 = none
+  std::vector<std::pair<int, int>> must_fold;  ///< edges as the numbers of their two faces, counted from 1
+  std::vector<std::pair<int, int>> must_cut;   ///< likewise
+  std::vector<std::vector<int>> together;      ///< patches as numbers of faces, counted from 1
   PaperSetup paper;
   PrintSize size;
   bool is_json = false;
@@ -34,7 +38,7 @@ struct UnfoldCommand {
     bool seed = false;
     bool search = false;
     bool recipe = false;
-    bool root = false;
+    bool pins = false;
     bool paper = false;
     bool size = false;
   } given;

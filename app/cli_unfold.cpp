@@ -60,7 +60,7 @@ SolveOptions solve_options(const UnfoldCommand& command, const Project& project)
   options.streams = command.streams;
   options.threads = command.threads;
   options.search = command.search;
-  options.root = project.pinned_root;
+  options.pins = project.pins;
   return options;
 }
 

@@ -43,7 +43,7 @@ double moves_needed(const std::shared_ptr<const DualGraph>& dual) {
   double sum = 0;
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     Progress progress;
-    const SolveOptions options{.seed = seed, .streams = 1, .threads = 1, .root = {}, .max_iterations = 2000};
+    const SolveOptions options{.seed = seed, .streams = 1, .threads = 1, .max_iterations = 2000};
     sum += static_cast<double>(solve(dual, options, progress).iterations);
   }
   return sum;

@@ -148,17 +148,17 @@ TEST(Gui, PinsTheFaceUnderThePointerAndUndoesIt) {
   const FaceId face = gui.ui().hovered;
   ASSERT_TRUE(face.is_valid());
   gui.key('R');
-  EXPECT_EQ(gui.session().project().pinned_root, face);
+  EXPECT_EQ(gui.session().project().pins.root, face);
   gui.key('Z', kControl);
-  EXPECT_FALSE(gui.session().project().pinned_root.is_valid());
+  EXPECT_FALSE(gui.session().project().pins.root.is_valid());
   gui.key('Y', kControl);
-  EXPECT_EQ(gui.session().project().pinned_root, face);
+  EXPECT_EQ(gui.session().project().pins.root, face);
   ASSERT_TRUE(gui.unfold());
   EXPECT_TRUE(gui.session().shown()->net.tree.is_root(face)) << "runs must keep the pinned root";
   gui.point(centre(gui.rect("toolbar/Pin root")));
   ASSERT_FALSE(gui.ui().hovered.is_valid());
   gui.click("toolbar/Pin root");
-  EXPECT_FALSE(gui.session().project().pinned_root.is_valid()) << "the button lets go of the pin";
+  EXPECT_FALSE(gui.session().project().pins.root.is_valid()) << "the button lets go of the pin";
 }
 
 TEST(Gui, AFaceUnderThePointerLightsUpInBothViews) {

@@ -87,20 +87,20 @@ TEST(Commands, PinningARootTurnsTheTreeAndKeepsItsFolds) {
   const Mesh& mesh = before.dual->mesh();
   for (const FaceId face : mesh.faces()) {
     const Project after = pin_root(before, face);
-    EXPECT_EQ(after.pinned_root, face);
+    EXPECT_EQ(after.pins.root, face);
     EXPECT_TRUE(after.tree->is_root(face));
     EXPECT_TRUE(after.tree->is_forest(mesh));
     for (const EdgeId e : mesh.edges()) {
       EXPECT_EQ(after.tree->is_fold(mesh, e), before.tree->is_fold(mesh, e));
     }
   }
-  EXPECT_FALSE(before.pinned_root.is_valid());
+  EXPECT_FALSE(before.pins.root.is_valid());
 }
 
 TEST(Commands, RemovingThePinKeepsTheTree) {
   const Project pinned = pin_root(cube_project(), FaceId(2));
   const Project free = pin_root(pinned, FaceId());
-  EXPECT_FALSE(free.pinned_root.is_valid());
+  EXPECT_FALSE(free.pins.root.is_valid());
   EXPECT_EQ(free.tree, pinned.tree);
 }
 

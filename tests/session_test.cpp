@@ -92,7 +92,7 @@ class SessionTest : public ::testing::Test {
     SolveOptions options;
     options.seed = session_.project().seed;
     options.streams = session_.streams();
-    options.root = session_.project().pinned_root;
+    options.pins.root = session_.project().pins.root;
     Progress progress;
     return solve(session_.project().dual, options, progress);
   }
@@ -235,7 +235,7 @@ TEST_F(SessionTest, DraggingTheSimplifySliderUnfoldsAsItGoesAndIsOneUndoStep) {
   session_.undo();  // the whole drag
   EXPECT_EQ(session_.recipe(), Recipe{});
   EXPECT_EQ(session_.project().dual->mesh().n_faces(), 320u);
-  EXPECT_EQ(session_.project().pinned_root, FaceId(7));
+  EXPECT_EQ(session_.project().pins.root, FaceId(7));
   EXPECT_EQ(session_.undo_label(), "Undo pin root");
   session_.redo();
   EXPECT_LE(session_.project().dual->mesh().n_faces(), 80u);
@@ -550,7 +550,7 @@ TEST_F(SessionTest, PinningDuringARunStartsItAgainWithThePin) {
   EXPECT_EQ(session_.figures().seed, 0u);
   session_.undo();
   EXPECT_EQ(session_.state(), RunState::Idle);
-  EXPECT_FALSE(session_.project().pinned_root.is_valid());
+  EXPECT_FALSE(session_.project().pins.root.is_valid());
 }
 
 TEST_F(SessionTest, AnUnfinishedRunGoesBackToTheNetBeforeIt) {

@@ -165,7 +165,7 @@ TEST(Solve, AnotherSeedGivesAnotherNet) {
 
 TEST(Solve, PinnedRootIsWhereTreeAndLayoutStart) {
   SolveOptions options;
-  options.root = FaceId(41);
+  options.pins.root = FaceId(41);
   const SolveResult result = solve_with(shapes::icosphere(2), options);
   EXPECT_TRUE(result.is_proved);
   EXPECT_TRUE(result.net.tree.is_root(FaceId(41)));

@@ -63,7 +63,7 @@ std::string needs_face(const UiContext& c) {
 }
 
 std::string needs_face_or_pin(const UiContext& c) {
-  return c.session.project().pinned_root.is_valid() ? "" : needs_face(c);
+  return c.session.project().pins.root.is_valid() ? "" : needs_face(c);
 }
 
 std::string needs_selection(const UiContext& c) { return has_selection(c.ui) ? "" : "Nothing is selected."; }
@@ -116,12 +116,12 @@ void stop_or_skip(UiContext& c) {
 
 void pin_root(UiContext& c) {
   const FaceId face = chosen_face(c);
-  c.session.pin_root(face == c.session.project().pinned_root ? FaceId() : face);
+  c.session.pin_root(face == c.session.project().pins.root ? FaceId() : face);
 }
 
 std::string root_label(const UiContext& c) {
   const FaceId face = chosen_face(c);
-  const FaceId pinned = c.session.project().pinned_root;
+  const FaceId pinned = c.session.project().pins.root;
   return pinned.is_valid() && (!face.is_valid() || face == pinned) ? "Unpin root" : "Pin root";
 }
 

@@ -103,7 +103,7 @@ void Scene::mark_faces(const UiContext& context) {
     states_.add(face, FaceState::Selected);
   }
   if (ui.settings.show_root) {
-    states_.add(context.session.project().pinned_root, FaceState::Root);
+    states_.add(context.session.project().pins.root, FaceState::Root);
     if (shown_ != nullptr) {
       for (const FaceId root : shown_->net.tree.roots()) states_.add(root, FaceState::Root);
     }

@@ -57,7 +57,7 @@ ButtonSpec spec_of(const UiContext& context, const BarItem& item, bool has_label
   spec.tip = (spec.label.empty() || is_pin ? label_of(context, wanted) + ": " : "") + tip_of(context, wanted);
   spec.is_enabled = is_possible(context, item.id);
   if (is_main) spec.kind = ButtonKind::Accent;
-  if (is_pin && context.session.project().pinned_root.is_valid()) spec.kind = ButtonKind::On;
+  if (is_pin && context.session.project().pins.root.is_valid()) spec.kind = ButtonKind::On;
   // The main button changes its word while it is watched; its neighbours must not jump.
   if (is_main && has_labels) spec.width = context.ui.look.px(104);
   return spec;

@@ -1,6 +1,8 @@
 // The edits. Each takes its Project by value and hands it back changed.
 #include "core/project/commands.h"
 
+#include "core/project/carry_pins.h"
+
 namespace netwright {
 
 Project new_project(const Project& before, std::filesystem::path path,
@@ -21,26 +23,26 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
     project.made = std::move(made);
     return project;
   }
-  FaceId root;
-  if (project.pinned_root.is_valid()) {
-    const int source = project.dual->mesh().face_source(project.pinned_root);
-    for (const FaceId f : made->dual->mesh().faces())
-      if (made->dual->mesh().face_source(f) == source && !root.is_valid()) root = f;
-  }
+  project.pins = carry_pins(project.pins, project.dual->mesh(), made->dual->mesh()).pins;
   project.recipe = recipe;
   project.dual = made->dual;
   project.made = std::move(made);
-  project.pinned_root = root;
   project.tree = nullptr;
   project.run.reset();
   return project;
 }
 
 Project pin_root(Project project, FaceId face) {
-  project.pinned_root = face;
-  if (!face.is_valid() || !project.tree || project.tree->is_root(face)) return project;
+  Constraints pins = project.pins;
+  pins.root = face;
+  return set_pins(std::move(project), pins);
+}
+
+Project set_pins(Project project, const Constraints& pins) {
+  project.pins = pins;
+  if (!pins.root.is_valid() || !project.tree || project.tree->is_root(pins.root)) return project;
   UnfoldTree tree = *project.tree;
-  tree.reroot(project.dual->mesh(), face);
+  tree.reroot(project.dual->mesh(), pins.root);
   project.tree = std::make_shared<const UnfoldTree>(std::move(tree));
   return project;
 }

@@ -9,14 +9,18 @@ namespace netwright {
 /// A fresh project of this model. What belongs to the user's desk and not to the model, the paper, stays.
 Project new_project(const Project& before, std::filesystem::path path, std::shared_ptr<const DualGraph> dual);
 
-/// The same file made into another mesh by another recipe. The net of the old mesh goes; the pinned root
-/// stays where its face of the file still has a face. Where only another axis is up the faces are the same
-/// ones, and net and root stay.
+/// The same file made into another mesh by another recipe. The net of the old mesh goes; pins are carried
+/// over to the nearest faces and edges, as far as these can be found (see carry_pins.h). Where only another
+/// axis is up the faces are the same ones, and net and root stay.
 Project remake(Project project, const Recipe& recipe, std::shared_ptr<const MadeModel> made);
 
 /// Layout and tree start at `face`, and runs keep it; an invalid face removes the pin. An accepted tree is
 /// rerooted: it stays the same net.
 Project pin_root(Project project, FaceId face);
+
+/// Other pins. The accepted tree stays, rerooted to a pinned root, whether it keeps the pins or not: it is
+/// for the next run to keep them.
+Project set_pins(Project project, const Constraints& pins);
 
 /// Makes a proved tree the project's own.
 Project accept_tree(Project project, UnfoldTree tree, const RunSummary& run);

@@ -12,6 +12,7 @@
 #include "core/mesh/dual_graph.h"
 #include "core/project/make_model.h"
 #include "core/sheet/pages.h"
+#include "core/solve/constraints.h"
 #include "core/unfold/unfold_tree.h"
 
 namespace netwright {
@@ -35,7 +36,7 @@ struct Project {
   std::shared_ptr<const DualGraph> dual;      ///< of made: model and dual graph; null in an empty project
   std::shared_ptr<const UnfoldTree> tree;     ///< the accepted tree, null before the first run
   std::optional<RunSummary> run;
-  FaceId pinned_root;
+  Constraints pins;  ///< of the made mesh
   std::uint64_t seed = 0;
   PaperSetup paper;
   PrintSize size;

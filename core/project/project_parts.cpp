@@ -344,7 +344,7 @@ class Reader {
   void read_pins(Project& project, const Json* json) const {
     JsonFields fields(json, file_, "the pins");
     const auto n_faces = static_cast<std::int64_t>(project.dual->mesh().n_faces());
-    project.pinned_root = FaceId(static_cast<std::int32_t>(fields.integer("root", 0, n_faces - 1, -1)));
+    project.pins.root = FaceId(static_cast<std::int32_t>(fields.integer("root", 0, n_faces - 1, -1)));
     fields.finish();
   }
 

@@ -25,11 +25,27 @@ std::shared_ptr<ShownNet> Session::Impl::stamp(std::shared_ptr<ShownNet> net) {
   return net;
 }
 
-void Session::Impl::start_run(SearchRun::Start start) {
+void Session::Impl::check_pins() {
+  if (checked_dual == project().dual && checked_pins == project().pins) return;
+  checked_dual = project().dual;
+  checked_pins = project().pins;
+  contradiction = checked_dual ? find_contradiction(*checked_dual, checked_pins) : std::nullopt;
+}
+
+void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const UnfoldTree> from,
+                              bool stays_near) {
+  check_pins();
+  if (contradiction) {
+    run.reset();
+    say(Message::Kind::Error, contradiction->sentence);
+    return;
+  }
   SolveOptions options;
   options.seed = project().seed;
   options.streams = streams;
-  options.root = project().pinned_root;
+  options.pins = project().pins;
+  options.from = std::move(from);
+  options.stays_near = stays_near;
   is_timed_out = false;
   run.reset();  // its job is told to end before the new one is queued
   run = std::make_unique<SearchRun>(worker, project().dual, options, bell, start, speed, clock());
@@ -125,6 +141,16 @@ void Session::unfold() {
   }
 }
 
+void Session::unfold_from_here() {
+  const std::shared_ptr<const ShownNet> here = shown();
+  if (!has_model() || impl_->run || !here || here->net.dual != project().dual) {
+    unfold();
+    return;
+  }
+  impl_->end_replay();
+  impl_->start_run(SearchRun::Start::Running, std::make_shared<const UnfoldTree>(here->net.tree), true);
+}
+
 void Session::pause() {
   if (impl_->run) impl_->run->pause(impl_->clock());
 }
@@ -133,7 +159,7 @@ void Session::step() {
   if (!has_model()) return;
   impl_->end_replay();
   if (!impl_->run) impl_->start_run(SearchRun::Start::Paused);
-  impl_->run->step(impl_->clock());
+  if (impl_->run) impl_->run->step(impl_->clock());
 }
 
 void Session::stop() {
@@ -165,14 +191,34 @@ void Session::set_time_limit(double seconds) { impl_->time_limit_s = std::max(se
 double Session::time_limit() const { return impl_->time_limit_s; }
 
 void Session::pin_root(FaceId face) {
-  if (!has_model() || face == project().pinned_root) return;
+  Constraints pins = project().pins;
+  pins.root = face;
+  set_pins(pins, face.is_valid() ? "pin root" : "unpin root");
+}
+
+void Session::set_pins(const Constraints& pins, const std::string& label) {
+  if (!has_model() || pins == project().pins) return;
   impl_->end_replay();
   const bool is_running = impl_->run != nullptr;
   const bool is_paused = is_running && impl_->run->is_paused();
+  const std::shared_ptr<const ShownNet> reached = is_running ? impl_->moving : nullptr;
   impl_->discard_run();
-  impl_->relay_unfinished(face);
-  impl_->edit(face.is_valid() ? "pin root" : "unpin root", netwright::pin_root(project(), face));
-  if (is_running) impl_->start_run(is_paused ? SearchRun::Start::Paused : SearchRun::Start::Running);
+  if (pins.root != project().pins.root) impl_->relay_unfinished(pins.root);
+  impl_->edit(label, netwright::set_pins(project(), pins));
+  if (is_running)
+    impl_->start_run(is_paused ? SearchRun::Start::Paused : SearchRun::Start::Running,
+                     reached ? std::make_shared<const UnfoldTree>(reached->net.tree) : nullptr);
+}
+
+const Contradiction* Session::contradiction() const {
+  impl_->check_pins();
+  return impl_->contradiction ? &*impl_->contradiction : nullptr;
+}
+
+bool Session::keeps_pins() const {
+  const std::shared_ptr<const ShownNet> net = shown();
+  return !net || !has_model() || net->net.dual != project().dual ||
+         netwright::keeps_pins(project().dual->mesh(), net->net.tree, project().pins);
 }
 
 void Session::set_paper(const PaperSetup& paper) {

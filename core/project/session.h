@@ -106,7 +106,10 @@ class Session {
   [[nodiscard]] std::shared_ptr<const Progress> chore() const;
 
   // The search.
-  void unfold();  ///< start, or resume when paused
+  void unfold();  ///< start, or resume when paused; contradicting pins are told as an error instead
+  /// Starts from the present net (finished, unfinished or cut up by hand) and changes only what overlaps and
+  /// pins ask for; like unfold() when there is none.
+  void unfold_from_here();
   void pause();
   void step();      ///< one move, then paused; starts when nothing runs
   void stop();      ///< the best so far stays shown, not accepted unless proved
@@ -125,6 +128,13 @@ class Session {
 
   // Edits: each is one undo step with a name.
   void pin_root(FaceId face);  ///< an invalid face removes the pin
+  /// Pins as a whole; `label` as in "Undo <label>". A running search goes on from where it is under the new
+  /// pins; an accepted net stays until the next run, even where it does not keep them.
+  void set_pins(const Constraints& pins, const std::string& label);
+  /// Why the pins cannot all be kept; null when they can, as far as that shows before a search.
+  [[nodiscard]] const Contradiction* contradiction() const;
+  /// Does the shown net keep all pins? True without a net.
+  [[nodiscard]] bool keeps_pins() const;
   void set_paper(const PaperSetup& paper);
   void set_size(const PrintSize& size);
   [[nodiscard]] bool can_undo() const;

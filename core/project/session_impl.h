@@ -88,7 +88,10 @@ struct Session::Impl {
   void move_in_history(void (History::*move)());
   void drop_result();  ///< back to what the project itself says
   void relay_unfinished(FaceId root);
-  void start_run(SearchRun::Start start);
+  /// `from` may be null: then the search starts anew. Says why when the pins contradict each other.
+  void start_run(SearchRun::Start start, std::shared_ptr<const UnfoldTree> from = nullptr,
+                 bool stays_near = false);
+  void check_pins();
   void discard_run();
   void say(Message::Kind kind, std::string text);
   std::shared_ptr<ShownNet> stamp(std::shared_ptr<ShownNet> net);
@@ -108,6 +111,9 @@ struct Session::Impl {
   bool is_unfinished = false;               ///< `settled` is the best of a run that wasn't proved
   std::optional<RunFigures> last_figures;   ///< of the run that led to `settled`
   std::shared_ptr<const Derived> derived;
+  std::optional<Contradiction> contradiction;  ///< of these pins,
+  Constraints checked_pins;                    ///< on this mesh
+  std::shared_ptr<const DualGraph> checked_dual;
 
   std::shared_ptr<Chore<Opened>> opening;
   std::optional<Waiting> waiting;

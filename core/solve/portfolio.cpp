@@ -18,7 +18,7 @@ constexpr std::int64_t kFirstRound = 256;
 
 Portfolio::Portfolio(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
                      std::uint64_t seed, int n_streams, std::uint64_t first_stream, ThreadPool& pool,
-                     const Progress& progress)
+                     const Progress& progress, const std::vector<char>& from)
     : pool_(&pool),
       progress_(&progress),
       streams_(static_cast<std::size_t>(std::max(1, n_streams))),
@@ -27,7 +27,8 @@ Portfolio::Portfolio(const DualGraph& dual, const SearchModel& model, const Sear
   pool.run(this->n_streams(), [&](int k) {
     const double before = thread_cpu_seconds();
     const auto i = static_cast<std::size_t>(k);
-    streams_[i] = std::make_unique<TabuSolver>(dual, model, settings, seed, first_stream + i, &progress);
+    streams_[i] =
+        std::make_unique<TabuSolver>(dual, model, settings, seed, first_stream + i, &progress, from);
     cpu_seconds_[i] += thread_cpu_seconds() - before;
   });
   find_winner();
@@ -53,6 +54,13 @@ void Portfolio::advance(std::int64_t max_iterations) {
     cpu_seconds_[static_cast<std::size_t>(k)] += thread_cpu_seconds() - before;
   });
   find_winner();
+}
+
+void Portfolio::return_home() {
+  if (!is_solved()) return;
+  const double before = thread_cpu_seconds();
+  streams_[static_cast<std::size_t>(winner_)]->return_home();
+  cpu_seconds_[static_cast<std::size_t>(winner_)] += thread_cpu_seconds() - before;
 }
 
 void Portfolio::find_winner() {

@@ -14,14 +14,18 @@ namespace netwright {
 
 class Portfolio {
  public:
-  /// `progress` cancels the start trees and later rounds alike; it must outlive the portfolio.
+  /// `progress` cancels the start trees and later rounds alike; it must outlive the portfolio. `from` as
+  /// TabuSolver has it.
   Portfolio(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
             std::uint64_t seed, int n_streams, std::uint64_t first_stream, ThreadPool& pool,
-            const Progress& progress);
+            const Progress& progress, const std::vector<char>& from = {});
 
   /// Takes every stream to the next mark, or until it is solved, cannot win any more, is cancelled, or is at
   /// max_iterations (0 = no limit).
   void advance(std::int64_t max_iterations);
+
+  /// Once solved: brings the winner back to `from` as far as that goes without overlaps.
+  void return_home();
 
   [[nodiscard]] bool is_solved() const { return winner_ >= 0; }
   /// The stream to look at: the winner, else the one with the fewest overlaps now.

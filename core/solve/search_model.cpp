@@ -5,7 +5,25 @@ namespace netwright {
 
 namespace {
 
-SearchModel component_model(const DualGraph& dual, int component) {
+// Pins of edges and patches as the search asks for them, by halfedge of the model.
+void take_pins(const Mesh& mesh, const Constraints& pins, SearchModel& model) {
+  for (std::size_t h = 0; h < model.mesh_halfedge.size(); ++h)
+    if (pin_of(pins, mesh.edge(model.mesh_halfedge[h])) == EdgePin::MustCut) model.twin[h] = -1;
+  model.is_pinned = !pins.must_fold.empty() || !pins.together.empty();
+  if (!model.is_pinned) return;
+  IdVector<FaceId, int> patch(mesh.n_faces(), -1);
+  for (std::size_t k = 0; k < pins.together.size(); ++k)
+    for (const FaceId f : pins.together[k]) patch[f] = static_cast<int>(k);
+  for (std::size_t h = 0; h < model.mesh_halfedge.size(); ++h) {
+    const HalfedgeId own = model.mesh_halfedge[h];
+    const FaceId beyond = mesh.neighbour(own);
+    const bool is_inner = beyond.is_valid() && patch[beyond] == patch[mesh.face(own)];
+    model.is_kept.push_back(pin_of(pins, mesh.edge(own)) == EdgePin::MustFold ? 1 : 0);
+    model.patch.push_back(is_inner ? patch[beyond] : -1);
+  }
+}
+
+SearchModel component_model(const DualGraph& dual, const Constraints& pins, int component) {
   const Mesh& mesh = dual.mesh();
   const double scale = 1 / mesh.mean_edge();
   SearchModel model;
@@ -40,15 +58,16 @@ SearchModel component_model(const DualGraph& dual, int component) {
     hinged += t.is_valid() ? 1 : 0;
   }
   model.mean_valence = static_cast<double>(hinged) / model.n_faces;
+  if (!pins.are_free()) take_pins(mesh, pins, model);
   return model;
 }
 
 }  // namespace
 
-std::vector<SearchModel> search_models(const DualGraph& dual) {
+std::vector<SearchModel> search_models(const DualGraph& dual, const Constraints& pins) {
   std::vector<SearchModel> models;
   for (std::size_t c = 0; c < dual.mesh().n_components(); ++c)
-    models.push_back(component_model(dual, static_cast<int>(c)));
+    models.push_back(component_model(dual, pins, static_cast<int>(c)));
   return models;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/cpu_time.h"
+#include "core/base/error.h"
 #include "core/base/predicates.h"
 #include "core/solve/portfolio.h"
 #include "core/solve/showing.h"
@@ -29,10 +30,10 @@ class SolveJob {
         options_(options),
         progress_(progress),
         hooks_(hooks),
-        models_(search_models(*dual_)),
+        models_(search_models(*dual_, options.pins)),
         own_pool_(hooks.pool == nullptr ? std::make_unique<ThreadPool>(n_threads(options)) : nullptr),
         pool_(hooks.pool == nullptr ? *own_pool_ : *hooks.pool),
-        whole_(dual_, options.root) {}
+        whole_(dual_, options.pins.root) {}
 
   SolveResult run() {
     result_.isolated_face = find_isolated_face(*dual_);
@@ -52,7 +53,8 @@ class SolveJob {
     for (std::size_t c = 0; c < models_.size(); ++c) {
       const std::uint64_t first_stream = (static_cast<std::uint64_t>(attempt) << 48) + (c << 16);
       portfolios_.push_back(std::make_unique<Portfolio>(*dual_, models_[c], settings(options_), options_.seed,
-                                                        options_.streams, first_stream, pool_, progress_));
+                                                        options_.streams, first_stream, pool_, progress_,
+                                                        folds_to_start_from(models_[c])));
       whole_.set(models_[c], portfolios_[c]->stream(portfolios_[c]->lead()).state().folds());
     }
     Showing showing(whole_, models_, portfolios_, hooks_);
@@ -65,6 +67,7 @@ class SolveJob {
         portfolio.advance(options_.max_iterations);
         if (!showing.after_round()) progress_.cancel();
       }
+      if (options_.stays_near) portfolio.return_home();
       whole_.set(models_[c], portfolio.stream(portfolio.best()).best_folds());
     }
     const double before = thread_cpu_seconds();
@@ -72,6 +75,14 @@ class SolveJob {
     result_.overlaps = find_overlaps(result_.net, kShownDepth);
     result_.cpu_seconds += thread_cpu_seconds() - before;
     showing.finish(result_.net, result_.overlaps);
+  }
+
+  [[nodiscard]] std::vector<char> folds_to_start_from(const SearchModel& model) const {
+    std::vector<char> folds;
+    if (options_.from != nullptr)
+      for (const HalfedgeId h : model.mesh_halfedge)
+        folds.push_back(options_.from->is_fold(dual_->mesh(), dual_->mesh().edge(h)) ? 1 : 0);
+    return folds;
   }
 
   [[nodiscard]] bool is_claimed() const {
@@ -82,7 +93,7 @@ class SolveJob {
   void collect() {
     result_.iterations = result_.moves = result_.restarts = 0;
     result_.log.clear();
-    WholeTree replay(dual_, options_.root);
+    WholeTree replay(dual_, options_.pins.root);
     for (std::size_t c = 0; c < models_.size(); ++c)
       replay.set(models_[c], portfolios_[c]->stream(portfolios_[c]->best()).episodes().front().start_folds);
     for (std::size_t c = 0; c < models_.size(); ++c) {
@@ -131,6 +142,8 @@ int n_threads(const SolveOptions& options) {
 
 SolveResult solve(std::shared_ptr<const DualGraph> dual, const SolveOptions& options, Progress& progress,
                   const SolveHooks& hooks) {
+  if (const auto contradiction = find_contradiction(*dual, options.pins))
+    throw Error(ErrorKind::Unfit, contradiction->sentence);
   return SolveJob(std::move(dual), options, progress, hooks).run();
 }
 

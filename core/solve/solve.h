@@ -12,6 +12,7 @@
 #include "core/base/mailbox.h"
 #include "core/base/progress.h"
 #include "core/base/worker.h"
+#include "core/solve/constraints.h"
 #include "core/solve/snapshot.h"
 #include "core/unfold/verify.h"
 
@@ -26,9 +27,12 @@ enum class SearchStyle {
 struct SolveOptions {
   std::uint64_t seed = 0;
   SearchStyle search = SearchStyle::Fast;
-  int streams = 2;                  ///< independent searches; part of what decides the answer
-  int threads = 0;                  ///< how many run them (0: as many as streams and cores); never decides it
-  FaceId root;                      ///< pinned: layout and tree start there
+  int streams = 2;     ///< independent searches; part of what decides the answer
+  int threads = 0;     ///< how many run them (0: as many as streams and cores); never decides it
+  Constraints pins{};  ///< what every result keeps, also one that is not a net yet
+  /// The tree to start from instead of a new one, mended where it breaks pins; may be any forest.
+  std::shared_ptr<const UnfoldTree> from{};
+  bool stays_near = false;          ///< change as little of `from` as overlaps and pins allow
   std::int64_t max_iterations = 0;  ///< per stream, 0 = no limit; decides the answer, unlike a time limit
 };
 
@@ -71,7 +75,8 @@ struct SolveResult {
 };
 
 /// Unfolds every component of the mesh into one piece each. Ends when all are proved nets, when
-/// `progress` is cancelled (the best so far is returned), or at max_iterations.
+/// `progress` is cancelled (the best so far is returned), or at max_iterations. Throws Error(Unfit) when the
+/// pins contradict each other.
 SolveResult solve(std::shared_ptr<const DualGraph> dual, const SolveOptions& options, Progress& progress,
                   const SolveHooks& hooks = {});
 

@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "core/solve/boxes16.h"
+#include "core/solve/disjoint_sets.h"
 #include "core/unfold/overlap.h"
 #include "core/unfold/steepest_edge.h"
 
@@ -36,19 +37,8 @@ class GreedyTree {
 
   std::vector<char> grow() {
     place(random_.below(m_.n_faces), Rigid2(), -1);
-    while (n_placed_ < m_.n_faces) {
-      while (!heap_.empty()) {
-        const int h = heap_.top().halfedge;
-        heap_.pop();
-        if (is_placed_[at(m_.beyond(h))]) continue;
-        if (is_cancelled() || count_overlaps(h, 1) == 0) {
-          place(m_.beyond(h), motion(h), h);
-        } else {
-          aside_.push_back(h);
-        }
-      }
-      if (n_placed_ < m_.n_faces) force_one();
-    }
+    while (n_placed_ < m_.n_faces)
+      if (!add_one(inner_) && !force_one(inner_) && !add_one(outer_)) force_one(outer_);
     return std::move(folds_);
   }
 
@@ -60,6 +50,12 @@ class GreedyTree {
     bool operator<(const Candidate& other) const {
       return key != other.key ? key < other.key : halfedge > other.halfedge;
     }
+  };
+
+  /// Faces that could come next: the best first, and those that would overlap something.
+  struct Front {
+    std::priority_queue<Candidate> heap;
+    std::vector<int> aside;
   };
 
   [[nodiscard]] bool is_cancelled() const { return progress_ != nullptr && progress_->is_cancelled(); }
@@ -75,8 +71,35 @@ class GreedyTree {
       if (m_.twin[at(h)] < 0 || is_placed_[at(m_.beyond(h))]) continue;
       const Rigid2 there = placement * m_.unroll[at(h)];
       const double distance = std::sqrt(there.x * there.x + there.y * there.y);
-      heap_.push({distance * inverse_size_ + 0.5 * m_.edge_length[at(h)] + 0.3 * random_.unit(), h});
+      Front& front = m_.is_pinned && m_.patch[at(h)] >= 0 ? inner_ : outer_;
+      front.heap.push({distance * inverse_size_ + 0.5 * m_.edge_length[at(h)] + 0.3 * random_.unit(), h});
+      if (m_.is_pinned && m_.is_kept[at(h)] != 0) kept_.push_back(h);
     }
+  }
+
+  // Places the best candidate that overlaps nothing; false when there is none.
+  bool add_one(Front& front) {
+    if (place_kept()) return true;
+    while (!front.heap.empty()) {
+      const int h = front.heap.top().halfedge;
+      front.heap.pop();
+      if (is_placed_[at(m_.beyond(h))]) continue;
+      if (is_cancelled() || count_overlaps(h, 1) == 0) {
+        place(m_.beyond(h), motion(h), h);
+        return true;
+      }
+      front.aside.push_back(h);
+    }
+    return false;
+  }
+
+  // A must-fold waits for nothing: were its face placed from elsewhere, the fold would close a ring.
+  bool place_kept() {
+    if (kept_.empty()) return false;
+    const int h = kept_.back();
+    kept_.pop_back();
+    place(m_.beyond(h), motion(h), h);
+    return true;
   }
 
   // Faces placed one after the other mostly grow along one arm, so sixteen of them share a small box.
@@ -128,21 +151,25 @@ class GreedyTree {
     return false;
   }
 
-  void force_one() {
-    std::erase_if(aside_, [this](int h) { return is_placed_[at(m_.beyond(h))] != 0; });
+  // Places the least overlapping of some candidates; false when there are none.
+  bool force_one(Front& front) {
+    std::vector<int>& aside = front.aside;
+    std::erase_if(aside, [this](int h) { return is_placed_[at(m_.beyond(h))] != 0; });
+    if (aside.empty()) return false;
     int best = -1;
     int least = std::numeric_limits<int>::max();
-    const int n = static_cast<int>(aside_.size());
+    const int n = static_cast<int>(aside.size());
     const int n_samples = is_cancelled() ? 1 : std::min(n, kSamples);
     for (int k = 0; k < n_samples && least > 1; ++k) {
-      std::swap(aside_[at(k)], aside_[at(k + random_.below(n - k))]);
-      const int count = count_overlaps(aside_[at(k)], least);
+      std::swap(aside[at(k)], aside[at(k + random_.below(n - k))]);
+      const int count = count_overlaps(aside[at(k)], least);
       if (count < least) {
         least = count;
-        best = aside_[at(k)];
+        best = aside[at(k)];
       }
     }
     place(m_.beyond(best), motion(best), best);
+    return true;
   }
 
   static constexpr int kSamples = 48;
@@ -162,8 +189,9 @@ class GreedyTree {
   BoxLanes lanes_;        // boxes in the order of placing
   BoxLanes block_lanes_;  // boxes of 16 of them
   std::vector<int> blocks_;
-  std::priority_queue<Candidate> heap_;
-  std::vector<int> aside_;
+  Front inner_;            // inside a patch under way
+  Front outer_;            // everywhere else
+  std::vector<int> kept_;  // must-folds whose far face is not placed yet
 };
 
 }  // namespace
@@ -171,6 +199,26 @@ class GreedyTree {
 std::vector<char> greedy_folds(const SearchModel& model, Random& random, double depth,
                                const Progress* progress) {
   return GreedyTree(model, random, depth, progress).grow();
+}
+
+std::vector<char> pinned_folds(const SearchModel& model, const std::vector<char>& wished) {
+  DisjointSets sets(at(model.n_faces));
+  std::vector<char> folds(at(model.n_halfedges), 0);
+  const auto add_where = [&](auto&& is_wanted) {
+    for (int h = 0; h < model.n_halfedges; ++h)
+      if (model.twin[at(h)] > h && is_wanted(h) && sets.join(model.face_of[at(h)], model.beyond(h)))
+        folds[at(h)] = folds[at(model.twin[at(h)])] = 1;
+  };
+  const auto is_wished = [&](int h) { return wished[at(h)] != 0; };
+  if (model.is_pinned) {
+    const auto is_inner = [&](int h) { return model.patch[at(h)] >= 0; };
+    add_where([&](int h) { return model.is_kept[at(h)] != 0; });
+    add_where([&](int h) { return is_inner(h) && is_wished(h); });
+    add_where(is_inner);
+  }
+  add_where(is_wished);
+  add_where([](int) { return true; });
+  return folds;
 }
 
 std::vector<char> steepest_edge_folds(const DualGraph& dual, const SearchModel& model, Random& random) {

@@ -16,6 +16,8 @@ constexpr std::int64_t kMovesBetweenChecks = 2000;
 // The log feeds the replay; beyond this many moves the oldest episodes are let go.
 constexpr std::int64_t kLoggedMoves = 500'000;
 constexpr int kUnbounded = 1 << 29;
+// A search from a given tree comes back to it this often before it starts anew like any other.
+constexpr int kRestartsFromHere = 3;
 
 // m = val · log_val |F| (4.4), at least one.
 std::size_t memory_length(const SearchModel& model) {
@@ -27,11 +29,13 @@ std::size_t memory_length(const SearchModel& model) {
 }  // namespace
 
 TabuSolver::TabuSolver(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
-                       std::uint64_t seed, std::uint64_t stream, const Progress* progress)
+                       std::uint64_t seed, std::uint64_t stream, const Progress* progress,
+                       std::vector<char> from)
     : dual_(&dual),
       model_(&model),
       settings_(settings),
       progress_(progress),
+      from_(std::move(from)),
       random_(seed, stream),
       state_(model, kSolveDepth, best_box_kernel(), settings.uses_killers) {
   memory_.assign(memory_length(model), -1);
@@ -42,8 +46,7 @@ TabuSolver::TabuSolver(const DualGraph& dual, const SearchModel& model, const Se
 }
 
 void TabuSolver::start() {
-  state_.set_tree(settings_.greedy_start ? greedy_folds(*model_, random_, kSolveDepth, progress_)
-                                         : steepest_edge_folds(*dual_, *model_, random_));
+  state_.set_tree(start_folds());
   clear_memory();
   stuck_face_ = -1;
   last_gain_ = iterations_;
@@ -54,6 +57,13 @@ void TabuSolver::start() {
   }
   episodes_.push_back({state_.folds(), state_.overlaps(), {}});
   note_best();
+}
+
+// From where the user wants it, while that helps; else anew.
+std::vector<char> TabuSolver::start_folds() {
+  if (!from_.empty() && restarts_ <= kRestartsFromHere) return pinned_folds(*model_, from_);
+  if (settings_.greedy_start) return greedy_folds(*model_, random_, kSolveDepth, progress_);
+  return pinned_folds(*model_, steepest_edge_folds(*dual_, *model_, random_));
 }
 
 void TabuSolver::step() {
@@ -162,9 +172,13 @@ void TabuSolver::climb() {
   climb_.saw_tabu = climb_.saw_free = false;
   climb_.best = {};
   for (std::size_t i = 0; i < climb_.path.size() && !is_cancelled(); ++i) {
-    try_fold(climb_.path[i], climb_.crossings[i]);
+    if (!is_kept(climb_.path[i])) try_fold(climb_.path[i], climb_.crossings[i]);
     if (climb_.best.is_found && climb_.best.delta < 0) return;
   }
+}
+
+bool TabuSolver::is_kept(const PathStep& step) const {
+  return model_->is_pinned && model_->is_kept[at(state_.up(step.child))] != 0;
 }
 
 // Exchanges that replace this fold: its near face re-attached on the far side (4.3); two-sided, its far face
@@ -197,21 +211,15 @@ void TabuSolver::try_across(int face, const PathStep& step, int crossing, int re
   const SearchModel& m = *model_;
   const bool is_inside = state_.in_subtree(face, step.child);
   for (int h = m.face_begin[at(face)]; h < m.face_begin[at(face) + 1]; ++h)
-    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && state_.in_subtree(m.beyond(h), step.child) != is_inside)
+    if (m.twin[at(h)] >= 0 && !state_.is_fold(h) && state_.in_subtree(m.beyond(h), step.child) != is_inside &&
+        m.may_exchange(removed, h))
       try_reattach(h, step, crossing, removed);
 }
 
 // Re-attaches the face of `halfedge` to the face beyond it. The exchange is told as a motion of the fold's
 // subtree; when the re-attached face is not in that, the rest moves, which is the same as moving the subtree
 // by the inverse.
-void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, int removed) {
-  if (times_tabu_[at(halfedge)] > 0) {
-    climb_.saw_tabu = true;
-    return;
-  }
-  climb_.saw_free = true;
-  const int limit = climb_.bound + crossing;
-  if (limit <= 0) return;
+Exchange TabuSolver::exchange_for(int halfedge, const PathStep& step, int removed) const {
   const SearchModel& m = *model_;
   const int face = m.face_of[at(halfedge)];
   const int twin = m.twin[at(halfedge)];
@@ -223,6 +231,18 @@ void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, 
                                                         : state_.placement(face) * there.inverse();
   exchange.removed = removed;
   exchange.inserted = halfedge;
+  return exchange;
+}
+
+void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, int removed) {
+  if (times_tabu_[at(halfedge)] > 0) {
+    climb_.saw_tabu = true;
+    return;
+  }
+  climb_.saw_free = true;
+  const int limit = climb_.bound + crossing;
+  if (limit <= 0) return;
+  const Exchange exchange = exchange_for(halfedge, step, removed);
   const int count = settings_.counts_as_paper
                         ? state_.count_as_paper(exchange)
                         : state_.count_after(exchange, settings_.counts_bounded ? limit : kUnbounded);
@@ -232,14 +252,8 @@ void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, 
 }
 
 void TabuSolver::move() {
-  const Exchange& exchange = climb_.best.exchange;
-  state_.apply(exchange);
-  memorize(exchange.removed);
-  ++moves_;
-  ++moves_since_check_;
-  ++logged_moves_;
-  episodes_.back().moves.push_back(
-      {climb_.chosen, climb_.root, exchange.removed, exchange.inserted, state_.overlaps()});
+  carry_out(climb_.best.exchange);
+  memorize(climb_.best.exchange.removed);
   if (moves_since_check_ >= kMovesBetweenChecks) {
     state_.recompute();
     moves_since_check_ = 0;
@@ -249,6 +263,15 @@ void TabuSolver::move() {
     last_gain_ = iterations_;
   }
   note_best();
+}
+
+void TabuSolver::carry_out(const Exchange& exchange) {
+  state_.apply(exchange);
+  ++moves_;
+  ++moves_since_check_;
+  ++logged_moves_;
+  episodes_.back().moves.push_back(
+      {climb_.chosen, climb_.root, exchange.removed, exchange.inserted, state_.overlaps()});
 }
 
 // What left the tree may not come back while it is remembered (4.4).
@@ -270,6 +293,37 @@ void TabuSolver::note_best() {
   if (state_.overlaps() >= best_overlaps_) return;
   best_overlaps_ = state_.overlaps();
   best_folds_ = state_.folds();
+}
+
+void TabuSolver::return_home() {
+  if (!is_solved_ || from_.empty()) return;
+  const std::vector<char> folds = state_.folds();
+  for (bool has_changed = true; has_changed && !is_cancelled();) {
+    has_changed = false;
+    for (int h = 0; h < model_->n_halfedges; ++h)
+      if (from_[at(h)] != 0 && model_->twin[at(h)] > h && !state_.is_fold(h)) has_changed |= take_back(h);
+  }
+  state_.recompute();
+  if (state_.overlaps() > 0) state_.set_tree(folds);
+  best_folds_ = state_.folds();
+}
+
+// Makes a fold of the start a fold again, in place of one that was not there then.
+bool TabuSolver::take_back(int wanted) {
+  const SearchModel& m = *model_;
+  state_.find_path(m.face_of[at(wanted)], m.beyond(wanted), climb_.path);
+  for (const PathStep& step : climb_.path) {
+    const int up = state_.up(step.child);
+    const int removed = step.near_is_child ? up : m.twin[at(up)];
+    if (from_[at(removed)] != 0 || !m.may_exchange(removed, wanted)) continue;
+    const Exchange exchange = exchange_for(wanted, step, removed);
+    if (state_.count_after(exchange, 1) > 0) continue;
+    climb_.chosen = step.near;
+    climb_.root = step.far;
+    carry_out(exchange);
+    return true;
+  }
+  return false;
 }
 
 void TabuSolver::check_solved() {

@@ -65,13 +65,19 @@ class TabuSolver {
  public:
   /// `stream` tells searches of one seed apart. The dual graph, the model and `progress` (may be null) must
   /// outlive the solver. Once `progress` is cancelled, a start tree or a climb under way is cut short; the
-  /// state stays a valid tree with all its overlaps.
+  /// state stays a valid tree with all its overlaps. `from`, where it isn't empty, has one flag per halfedge:
+  /// the folds to start from, mended so that they keep the model's pins.
   TabuSolver(const DualGraph& dual, const SearchModel& model, const SearchSettings& settings,
-             std::uint64_t seed, std::uint64_t stream, const Progress* progress = nullptr);
+             std::uint64_t seed, std::uint64_t stream, const Progress* progress = nullptr,
+             std::vector<char> from = {});
 
   /// One iteration: choose an overlapping face, climb, move (or find every way barred). Does nothing when
   /// solved.
   void step();
+
+  /// When solved: takes back what was changed since `from` and need not have been, as long as there is no
+  /// overlap. Such moves are logged like others.
+  void return_home();
 
   /// No overlaps, after placing and detecting everything anew.
   [[nodiscard]] bool is_solved() const { return is_solved_; }
@@ -102,11 +108,16 @@ class TabuSolver {
   };
 
   void start();
+  [[nodiscard]] std::vector<char> start_folds();
   void choose_face();
   void choose_root();
   void count_crossings();
   void climb();
   void try_fold(const PathStep& step, int crossing);
+  [[nodiscard]] bool is_kept(const PathStep& step) const;
+  [[nodiscard]] bool take_back(int wanted);
+  [[nodiscard]] Exchange exchange_for(int halfedge, const PathStep& step, int removed) const;
+  void carry_out(const Exchange& exchange);
   void try_sampled(const PathStep& step, int crossing);
   void try_across(int face, const PathStep& step, int crossing, int removed);
   void try_reattach(int halfedge, const PathStep& step, int crossing, int removed);
@@ -125,6 +136,7 @@ class TabuSolver {
   const SearchModel* model_;
   SearchSettings settings_;
   const Progress* progress_;
+  std::vector<char> from_;  // folds to start from, or empty
   Random random_;
   SearchState state_;
   Climb climb_;

@@ -1,0 +1,14 @@
+// The pins of the command line: numbers of faces become faces and edges of the mesh.
+#pragma once
+
+#include "app/cli_options.h"
+#include "core/mesh/mesh.h"
+#include "core/solve/constraints.h"
+
+namespace netwright {
+
+/// Faces are told by their number in the file, counted from 1, edges by the two faces that share them. Throws
+/// Error(Usage) when there is no such face or the two are no neighbours.
+Constraints pins_of(const UnfoldCommand& command, const Mesh& mesh);
+
+}  // namespace netwright
