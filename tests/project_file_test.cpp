@@ -181,7 +181,7 @@ TEST(ProjectFile, EveryOlderVersionCanBeRead) {
   ASSERT_TRUE(project.source->materials[1].texture);
   EXPECT_EQ(project.source->materials[1].texture->width, 5);
   EXPECT_EQ(project.seed, 9U);
-  EXPECT_EQ(project.pinned_root, FaceId(3));
+  EXPECT_EQ(project.pins.root, FaceId(3));
   EXPECT_EQ(project.paper, (PaperSetup{"Letter", Orientation::Landscape, 12.5}));
   EXPECT_EQ(project.size, (PrintSize{PrintSize::Kind::Height, 210.7}));
   ASSERT_TRUE(project.tree && project.run);

@@ -121,7 +121,7 @@ inline void expect_same(const Project& a, const Project& b) {
     EXPECT_EQ(*a.tree, *b.tree);
   }
   EXPECT_EQ(a.run, b.run);
-  EXPECT_EQ(a.pinned_root, b.pinned_root);
+  EXPECT_EQ(a.pins.root, b.pins.root);
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.paper, b.paper);
   EXPECT_EQ(a.size, b.size);

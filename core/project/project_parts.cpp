@@ -154,7 +154,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   made_json.set("fewest_faces", made.n_faces_least);
   json.set("made", std::move(made_json));
   Json pins;
-  if (project.pinned_root.is_valid()) pins.set("root", project.pinned_root.value);
+  if (project.pins.root.is_valid()) pins.set("root", project.pins.root.value);
   if (!pins.is_null()) json.set("pins", std::move(pins));
   json.set("seed", seed_json(project.seed));
   if (project.tree) json.set("tree", tree_json(*project.tree, mesh));
