@@ -2,10 +2,9 @@
 // other without.
 #include "app/cli_model.h"
 
-#include "app/cli_pins.h"
-
 #include <utility>
 
+#include "app/cli_pins.h"
 #include "core/base/error.h"
 #include "core/mesh/read.h"
 #include "core/project/carry_pins.h"

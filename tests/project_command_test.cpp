@@ -48,7 +48,7 @@ TEST_F(ProjectCommand, UnfoldWritesAProjectThatHoldsItAll) {
   ASSERT_TRUE(project.tree && project.run);
   EXPECT_TRUE(project.run->is_proved);
   EXPECT_EQ(project.run->seed, 5U);
-  EXPECT_EQ(project.tree->roots(), std::vector<FaceId>{project.pinned_root});
+  EXPECT_EQ(project.tree->roots(), std::vector<FaceId>{project.pins.root});
 }
 
 TEST_F(ProjectCommand, VerifyProvesTheStoredNet) {
