@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/project/derived.h"
 #include "core/project/shape_bytes.h"
+#include "tests/project_same.h"
 #include "tests/project_support.h"
 #include "tests/sheet_support.h"
 
@@ -73,6 +74,13 @@ Project full_project() {
   project.path = "/models/globe.obj";
   project.seed = 0xFEDCBA9876543210U;
   project = pin_root(solved(std::move(project), 7), FaceId(3));
+  Constraints pins = project.pins;
+  set_pin(pins, EdgeId(4), EdgePin::MustFold);
+  set_pin(pins, EdgeId(17), EdgePin::MustFold);
+  set_pin(pins, EdgeId(9), EdgePin::MustCut);
+  keep_together(pins, {FaceId(8), FaceId(5), FaceId(21)});
+  keep_together(pins, {FaceId(30), FaceId(2)});
+  project = set_pins(std::move(project), pins);
   project.paper = {"Letter", Orientation::Landscape, 12.5};
   project.size = {PrintSize::Kind::Height, 210.7};
   return project;
@@ -236,6 +244,11 @@ TEST(ProjectFile, RefusesWhatDoesNotFitTogether) {
   parts = good;
   parts.json = replaced(good.json, "\"root\": 3", "\"root\": 4000");
   EXPECT_NE(refusal(parts).find("“root” of the pins"), std::string::npos);
+  parts.json = replaced(good.json, "\"must_fold\": [", "\"must_fold\": [0, 99, ");
+  EXPECT_NE(refusal(parts).find("“must_fold” of the pins names an edge that is not there"),
+            std::string::npos);
+  parts.json = replaced(good.json, "\"together\": [", "\"together\": [[5, 6], ");
+  EXPECT_NE(refusal(parts).find("“together” of the pins names a face twice"), std::string::npos);
   parts.json = replaced(good.json, "\"Letter\"", "\"Papyrus\"");
   EXPECT_NE(refusal(parts).find("a paper that this Netwright does not know"), std::string::npos);
   parts.json = replaced(good.json, "\"kind\": \"height\"", "\"kind\": \"weight\"");

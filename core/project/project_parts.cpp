@@ -124,6 +124,32 @@ Json tree_json(const UnfoldTree& tree, const Mesh& mesh) {
   return json;
 }
 
+/// Face and corner where the edge begins, face and corner …
+Json edges_json(const std::vector<EdgeId>& edges, const Mesh& mesh) {
+  Json json{Json::Array{}};
+  for (const EdgeId e : edges) {
+    const HalfedgeId h = mesh.halfedge(e);
+    json.add(mesh.face(h).value);
+    json.add(h.value - mesh.first(mesh.face(h)).value);
+  }
+  return json;
+}
+
+Json pins_json(const Constraints& pins, const Mesh& mesh) {
+  Json json;
+  json.set("root", pins.root.value);
+  json.set("must_fold", edges_json(pins.must_fold, mesh));
+  json.set("must_cut", edges_json(pins.must_cut, mesh));
+  Json patches{Json::Array{}};
+  for (const std::vector<FaceId>& patch : pins.together) {
+    Json faces{Json::Array{}};
+    for (const FaceId f : patch) faces.add(f.value);
+    patches.add(std::move(faces));
+  }
+  json.set("together", std::move(patches));
+  return json;
+}
+
 Json run_json(const RunSummary& run) {
   Json json;
   json.set("seed", seed_json(run.seed));
@@ -153,9 +179,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   made_json.set("deviation", made.deviation);
   made_json.set("fewest_faces", made.n_faces_least);
   json.set("made", std::move(made_json));
-  Json pins;
-  if (project.pins.root.is_valid()) pins.set("root", project.pins.root.value);
-  if (!pins.is_null()) json.set("pins", std::move(pins));
+  json.set("pins", pins_json(project.pins, mesh));
   json.set("seed", seed_json(project.seed));
   if (project.tree) json.set("tree", tree_json(*project.tree, mesh));
   if (project.run) json.set("run", run_json(*project.run));
@@ -341,10 +365,54 @@ class Reader {
     return static_cast<std::uint64_t>(fields.integer("seed", -kMost - 1, kMost, 0));
   }
 
+  static std::vector<EdgeId> read_edges(JsonFields& fields, std::string_view key, const Mesh& mesh) {
+    const std::vector<int> numbers = fields.integers(key, 0, kMostInt);
+    std::vector<EdgeId> edges;
+    for (std::size_t i = 0; i < numbers.size(); i += 2) {
+      const FaceId f(numbers[i]);
+      const bool is_there =
+          i + 1 < numbers.size() && f.index() < mesh.n_faces() && numbers[i + 1] < mesh.degree(f);
+      if (!is_there) fields.refuse(key, "names an edge that is not there");
+      edges.push_back(mesh.edge(HalfedgeId(mesh.first(f).value + numbers[i + 1])));
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+  }
+
+  void read_patches(JsonFields& fields, Constraints& pins, const Mesh& mesh) const {
+    const Json::Array* const patches = fields.array("together");
+    if (patches == nullptr) return;
+    std::vector<char> is_taken(mesh.n_faces(), 0);
+    for (const Json& patch : *patches) {
+      const Json wrapped = Json().set("faces", patch);
+      JsonFields one(&wrapped, file_, "a patch");
+      std::vector<FaceId> faces;
+      for (const int f : one.integers("faces", 0, static_cast<int>(mesh.n_faces()) - 1)) {
+        if (std::exchange(is_taken[static_cast<std::size_t>(f)], 1) != 0)
+          fields.refuse("together", "names a face twice");
+        faces.emplace_back(f);
+      }
+      if (faces.size() < 2) fields.refuse("together", "has a patch of fewer than two faces");
+      std::sort(faces.begin(), faces.end());
+      pins.together.push_back(std::move(faces));
+    }
+  }
+
   void read_pins(Project& project, const Json* json) const {
     JsonFields fields(json, file_, "the pins");
-    const auto n_faces = static_cast<std::int64_t>(project.dual->mesh().n_faces());
-    project.pins.root = FaceId(static_cast<std::int32_t>(fields.integer("root", 0, n_faces - 1, -1)));
+    const Mesh& mesh = project.dual->mesh();
+    const auto n_faces = static_cast<std::int64_t>(mesh.n_faces());
+    Constraints& pins = project.pins;
+    pins.root = FaceId(static_cast<std::int32_t>(fields.integer("root", -1, n_faces - 1, -1)));
+    pins.must_fold = read_edges(fields, "must_fold", mesh);
+    pins.must_cut = read_edges(fields, "must_cut", mesh);
+    for (const EdgeId e : pins.must_fold) {
+      if (mesh.is_border(e)) fields.refuse("must_fold", "names an edge of the border");
+      if (std::binary_search(pins.must_cut.begin(), pins.must_cut.end(), e))
+        fields.refuse("must_fold", "names an edge that must be cut");
+    }
+    read_patches(fields, pins, mesh);
     fields.finish();
   }
 
