@@ -75,17 +75,18 @@ double distance_to_segment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
   return glm::length(point - (a + along * t));
 }
 
-Pointed point_at(const ModelPicker& picker, const Mesh& mesh, const OrbitCamera& camera, glm::dvec2 pixel,
-                 double reach_px) {
+Pointed point_at(const ModelPicker& picker, const ModelPose& pose, const OrbitCamera& camera,
+                 glm::dvec2 pixel, double reach_px) {
   const glm::dmat4 clip_from_world = camera.view_projection();
   const glm::dvec2 size = camera.size_px();
   const auto pixel_of = [&](HalfedgeId h) {
-    const glm::dvec4 clip = clip_from_world * glm::dvec4(mesh.position(h), 1);
+    const glm::dvec4 clip = clip_from_world * glm::dvec4(pose.position(h), 1);
     if (clip.w <= 0) return glm::dvec2(-1e9);  // behind the eye: out of everybody's reach
     return glm::dvec2((clip.x / clip.w + 1) / 2 * size.x, (1 - clip.y / clip.w) / 2 * size.y);
   };
   return nearest(
-      mesh, pixel, reach_px, [&](glm::dvec2 place) { return picker.pick(camera.ray(place)); }, pixel_of);
+      pose.mesh(), pixel, reach_px, [&](glm::dvec2 place) { return picker.pick(camera.ray(place)); },
+      pixel_of);
 }
 
 Pointed point_at(const NetPicker& picker, const Net& net, const PanZoomCamera& camera, glm::dvec2 pixel,

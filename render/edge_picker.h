@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "render/model_pose.h"
 #include "render/picker.h"
 
 namespace netwright {
@@ -15,8 +16,8 @@ struct Pointed {
 
 /// `reach_px`: how far an edge may be from the pointer. Less on a face that is small on screen, so that its
 /// middle stays free to be pointed at.
-Pointed point_at(const ModelPicker& picker, const Mesh& mesh, const OrbitCamera& camera, glm::dvec2 pixel,
-                 double reach_px);
+Pointed point_at(const ModelPicker& picker, const ModelPose& pose, const OrbitCamera& camera,
+                 glm::dvec2 pixel, double reach_px);
 /// The two copies of a cut are different sides.
 Pointed point_at(const NetPicker& picker, const Net& net, const PanZoomCamera& camera, glm::dvec2 pixel,
                  double reach_px);

@@ -12,13 +12,29 @@
 namespace netwright {
 namespace {
 
-struct MeshVertex {
-  glm::vec3 position;
-  glm::vec3 normal;
-  glm::vec2 uv;
-  std::array<std::uint8_t, 4> material;
-  std::uint32_t face;
-};
+// Indices into the styles of the model's edges.
+constexpr std::uint32_t kPlainLine = 0;
+constexpr std::uint32_t kBorderLine = 1;
+constexpr std::uint32_t kCutLine = 2;
+constexpr std::uint32_t kMountainLine = 3;
+constexpr std::uint32_t kValleyLine = 4;
+constexpr std::uint32_t kFlatLine = 5;
+
+std::uint32_t style_of(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::Mountain:
+      return kMountainLine;
+    case EdgeKind::Valley:
+      return kValleyLine;
+    case EdgeKind::Flat:
+      return kFlatLine;
+    case EdgeKind::Border:
+      return kBorderLine;
+    case EdgeKind::Cut:
+      break;
+  }
+  return kCutLine;
+}
 
 std::uint8_t to_srgb_byte(double linear) {
   const double x = std::clamp(linear, 0.0, 1.0);
@@ -41,33 +57,15 @@ std::array<std::uint8_t, 4> material_colour(const Mesh& mesh, FaceId f) {
   return {to_srgb_byte(c.r), to_srgb_byte(c.g), to_srgb_byte(c.b), 255};
 }
 
-MeshVertex mesh_vertex(const Mesh& mesh, HalfedgeId h, const std::array<std::uint8_t, 4>& material) {
-  const FaceId f = mesh.face(h);
-  return {glm::vec3(mesh.position(h)), glm::vec3(mesh.normal(f)),
-          mesh.has_uv() ? glm::vec2(mesh.uv(h)) : glm::vec2(0), material,
-          static_cast<std::uint32_t>(f.index())};
-}
-
-void append_face(const DualGraph& dual, FaceId f, std::vector<MeshVertex>& out) {
-  const Mesh& mesh = dual.mesh();
-  const auto material = material_colour(mesh, f);
-  const auto corner = [&](int k) { return mesh_vertex(mesh, HalfedgeId(mesh.first(f).value + k), material); };
-  for (int p = 0; p < dual.n_parts(f); ++p) {
-    const std::span<const int> part = dual.part(f, p);
-    for (std::size_t k = 2; k < part.size(); ++k)
-      for (const int c : {part[0], part[k - 1], part[k]}) out.push_back(corner(c));
-  }
-}
-
 }  // namespace
 
 MeshRenderer::MeshRenderer(const LineRenderer& lines) : lines_(lines), shader_("mesh") {
-  constexpr std::size_t kStride = sizeof(MeshVertex);
-  array_.attribute(0, buffer_, 3, AttributeType::Float, kStride, offsetof(MeshVertex, position));
-  array_.attribute(1, buffer_, 3, AttributeType::Float, kStride, offsetof(MeshVertex, normal));
-  array_.attribute(2, buffer_, 2, AttributeType::Float, kStride, offsetof(MeshVertex, uv));
-  array_.attribute(3, buffer_, 4, AttributeType::NormalizedByte, kStride, offsetof(MeshVertex, material));
-  array_.attribute(4, buffer_, 1, AttributeType::UnsignedInt, kStride, offsetof(MeshVertex, face));
+  constexpr std::size_t kStride = sizeof(Vertex);
+  array_.attribute(0, buffer_, 3, AttributeType::Float, kStride, offsetof(Vertex, position));
+  array_.attribute(1, buffer_, 3, AttributeType::Float, kStride, offsetof(Vertex, normal));
+  array_.attribute(2, buffer_, 2, AttributeType::Float, kStride, offsetof(Vertex, uv));
+  array_.attribute(3, buffer_, 4, AttributeType::NormalizedByte, kStride, offsetof(Vertex, material));
+  array_.attribute(4, buffer_, 1, AttributeType::UnsignedInt, kStride, offsetof(Vertex, face));
 }
 
 void MeshRenderer::set_model(std::shared_ptr<const DualGraph> dual) {
@@ -75,40 +73,86 @@ void MeshRenderer::set_model(std::shared_ptr<const DualGraph> dual) {
   dual_ = std::move(dual);
   groups_.clear();
   textures_.clear();
+  vertices_.clear();
+  corner_of_.clear();
+  pose_version_ = kinds_version_ = 0;
   if (!dual_) return;
-  upload_triangles();
-  upload_edges();
+  collect_triangles();
+  const ModelPose model(dual_->mesh());
+  upload_triangles(model);
+  upload_edges(model, nullptr);
   upload_textures();
   states_ = FaceStates();
   state_table_.stamp(0);
 }
 
-void MeshRenderer::upload_triangles() {
+void MeshRenderer::set_pose(const Corners* corners, std::uint64_t pose_version,
+                            const IdVector<EdgeId, EdgeKind>* kinds, std::uint64_t kinds_version) {
+  if (!dual_ || (pose_version == pose_version_ && kinds_version == kinds_version_)) return;
+  const ModelPose pose(dual_->mesh(), corners);
+  if (pose_version != pose_version_) upload_triangles(pose);
+  upload_edges(pose, kinds);
+  upload_outlines();
+  pose_version_ = pose_version;
+  kinds_version_ = kinds_version;
+}
+
+void MeshRenderer::collect_triangles() {
   const Mesh& mesh = dual_->mesh();
   const auto picture = [&](FaceId f) { return has_picture(mesh, mesh.material(f)) ? mesh.material(f) : -1; };
   std::vector<FaceId> order;
   order.reserve(mesh.n_faces());
   for (const FaceId f : mesh.faces()) order.push_back(f);
   std::stable_sort(order.begin(), order.end(), [&](FaceId a, FaceId b) { return picture(a) < picture(b); });
-  std::vector<MeshVertex> vertices;
-  vertices.reserve(3 * mesh.n_halfedges());
+  corner_of_.reserve(3 * mesh.n_halfedges());
   for (const FaceId f : order) {
-    const auto first = static_cast<int>(vertices.size());
+    const auto first = static_cast<int>(corner_of_.size());
     if (groups_.empty() || groups_.back().material != picture(f)) groups_.push_back({picture(f), first, 0});
-    append_face(*dual_, f, vertices);
-    groups_.back().count += static_cast<int>(vertices.size()) - first;
+    for (int p = 0; p < dual_->n_parts(f); ++p) {
+      const std::span<const int> part = dual_->part(f, p);
+      for (std::size_t k = 2; k < part.size(); ++k)
+        for (const int c : {part[0], part[k - 1], part[k]})
+          corner_of_.push_back(HalfedgeId(mesh.first(f).value + c));
+    }
+    groups_.back().count += static_cast<int>(corner_of_.size()) - first;
   }
-  buffer_.upload(std::as_bytes(std::span(vertices)));
+  vertices_.reserve(corner_of_.size());
+  for (const HalfedgeId h : corner_of_) {
+    const FaceId f = mesh.face(h);
+    vertices_.push_back({{},
+                         {},
+                         mesh.has_uv() ? glm::vec2(mesh.uv(h)) : glm::vec2(0),
+                         material_colour(mesh, f),
+                         static_cast<std::uint32_t>(f.index())});
+  }
 }
 
-void MeshRenderer::upload_edges() {
-  const Mesh& mesh = dual_->mesh();
+void MeshRenderer::upload_triangles(const ModelPose& pose) {
+  const Mesh& mesh = pose.mesh();
+  corners_.resize(mesh.n_halfedges());
+  for (const HalfedgeId h : mesh.halfedges()) corners_[h.index()] = glm::vec3(pose.position(h));
+  std::vector<glm::vec3> normals(mesh.n_faces());
+  for (const FaceId f : mesh.faces()) normals[f.index()] = glm::vec3(pose.normal(f));
+  for (std::size_t k = 0; k < vertices_.size(); ++k) {
+    vertices_[k].position = corners_[corner_of_[k].index()];
+    vertices_[k].normal = normals[vertices_[k].face];
+  }
+  buffer_.upload(std::as_bytes(std::span(vertices_)));
+}
+
+void MeshRenderer::upload_edges(const ModelPose& pose, const IdVector<EdgeId, EdgeKind>* kinds) {
+  const Mesh& mesh = pose.mesh();
   std::vector<LineSegment> segments;
-  segments.reserve(mesh.n_edges());
+  segments.reserve(mesh.n_halfedges());
+  const auto add = [&](HalfedgeId h, std::uint32_t style) {
+    segments.push_back({corners_[h.index()], corners_[mesh.next(h).index()], style});
+  };
   for (const EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);
-    segments.push_back(
-        {glm::vec3(mesh.position(h)), glm::vec3(mesh.position(mesh.next(h))), mesh.is_border(e) ? 1U : 0U});
+    const std::uint32_t plain = mesh.is_border(e) ? kBorderLine : kPlainLine;
+    const std::uint32_t style = kinds == nullptr ? plain : style_of((*kinds)[e]);
+    add(h, style);
+    if (style == kCutLine && !pose.is_model()) add(mesh.twin(h), style);
   }
   edges_.upload(segments, 1);
 }
@@ -128,11 +172,16 @@ void MeshRenderer::upload_states(const FaceStates& states) {
   bits.resize(mesh.n_faces(), 0);
   state_table_.upload_table(bits);
   state_table_.stamp(1);
+  upload_outlines();
+}
+
+void MeshRenderer::upload_outlines() {
+  const Mesh& mesh = dual_->mesh();
   std::vector<LineSegment> segments;
-  for (const FaceId f : mesh.faces()) {
-    if ((bits[f.index()] & static_cast<std::uint8_t>(FaceState::Selected)) == 0) continue;
-    for (const HalfedgeId h : mesh.halfedges(f))
-      segments.push_back({glm::vec3(mesh.position(h)), glm::vec3(mesh.position(mesh.next(h))), 0});
+  for (std::size_t f = 0; f < std::min(states_.size(), mesh.n_faces()); ++f) {
+    if (!states_.has(FaceId(f), FaceState::Selected)) continue;
+    for (const HalfedgeId h : mesh.halfedges(FaceId(f)))
+      segments.push_back({corners_[h.index()], corners_[mesh.next(h).index()], 0});
   }
   outlines_.upload(segments, 1);
 }
@@ -186,8 +235,13 @@ void MeshRenderer::draw_lines(const OrbitCamera& camera, const Palette& palette,
   Colour border = palette.model_edge;
   border.a = 1;
   const float thin = thinning(dual_->mesh().mean_edge() * camera.pixels_per_unit(), look.scale);
-  const std::array<LineStyle, 2> edge_styles{LineStyle{palette.model_edge, thin, {}, false},
-                                             LineStyle{border, 1.4F, {}, false}};
+  std::array<LineStyle, 6> edge_styles;
+  edge_styles[kPlainLine] = {palette.model_edge, thin, {}, false};
+  edge_styles[kBorderLine] = {border, 1.4F, {}, false};
+  edge_styles[kCutLine] = {palette.cut, 1.5F * thin, {}, false};
+  edge_styles[kMountainLine] = {palette.mountain, 1.1F * thin, {6, 2.5F, 1.2F, 2.5F}, false};
+  edge_styles[kValleyLine] = {palette.valley, 1.1F * thin, {4, 3, 0, 0}, false};
+  edge_styles[kFlatLine] = {palette.flat, 1, {}, false};
   if (look.shows_edges) lines_.draw(edges_, edge_styles, view);
   const std::array<LineStyle, 1> selected{LineStyle{palette.selection, 3, {}, false}};
   lines_.draw(outlines_, selected, view);

@@ -46,12 +46,23 @@ double hit(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const 
 void ModelPicker::set_model(std::shared_ptr<const DualGraph> dual) {
   if (dual == dual_) return;
   dual_ = std::move(dual);
+  pose_version_ = 0;
   triangles_.clear();
   nodes_.clear();
-  if (!dual_) return;
-  const Mesh& mesh = dual_->mesh();
-  for (const FaceId f : mesh.faces()) {
-    const auto corner = [&](int k) { return mesh.position(HalfedgeId(mesh.first(f).value + k)); };
+  if (dual_) collect(ModelPose(dual_->mesh()));
+}
+
+void ModelPicker::set_pose(const Corners* corners, std::uint64_t version) {
+  if (version == pose_version_ || !dual_) return;
+  pose_version_ = version;
+  collect(ModelPose(dual_->mesh(), corners));
+}
+
+void ModelPicker::collect(const ModelPose& pose) {
+  triangles_.clear();
+  nodes_.clear();
+  for (const FaceId f : pose.mesh().faces()) {
+    const auto corner = [&](int k) { return pose.position(HalfedgeId(pose.mesh().first(f).value + k)); };
     for (int p = 0; p < dual_->n_parts(f); ++p) {
       const std::span<const int> part = dual_->part(f, p);
       for (std::size_t k = 2; k < part.size(); ++k)

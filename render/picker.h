@@ -9,6 +9,7 @@
 #include "core/mesh/dual_graph.h"
 #include "core/unfold/net.h"
 #include "render/camera.h"
+#include "render/model_pose.h"
 
 namespace netwright {
 
@@ -16,6 +17,9 @@ class ModelPicker {
  public:
   /// Does nothing when it holds this model already. Null empties it.
   void set_model(std::shared_ptr<const DualGraph> dual);
+  /// Picks among its faces where they are now, null for the model itself; does nothing when `version` is what
+  /// it holds already.
+  void set_pose(const Corners* corners, std::uint64_t version);
   /// The first face a ray meets, from either side; invalid when none.
   [[nodiscard]] FaceId pick(const Ray& ray) const;
 
@@ -29,9 +33,11 @@ class ModelPicker {
     int first = 0;
     int count = 0;
   };
+  void collect(const ModelPose& pose);
   void build();
 
   std::shared_ptr<const DualGraph> dual_;
+  std::uint64_t pose_version_ = 0;
   std::vector<Triangle> triangles_;
   std::vector<Node> nodes_;
 };

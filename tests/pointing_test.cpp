@@ -211,13 +211,14 @@ TEST(EdgePicker, LeavesTheMiddleOfSmallFacesFree) {
   const FaceId f = picker.pick(camera.ray({20, 20}));
   ASSERT_TRUE(f.is_valid());
   const glm::dvec2 middle(camera.project(dual->mesh().centre(f)));
-  const Pointed pointed = point_at(picker, dual->mesh(), camera, middle, 1000);
+  const Pointed pointed = point_at(picker, ModelPose(dual->mesh()), camera, middle, 1000);
   EXPECT_EQ(pointed.face, f);
   EXPECT_FALSE(pointed.side.is_valid());
   const HalfedgeId h = dual->mesh().first(f);
   const glm::dvec2 rim(
       camera.project((dual->mesh().position(h) + dual->mesh().position(dual->mesh().next(h))) * 0.5));
-  EXPECT_EQ(dual->mesh().edge(point_at(picker, dual->mesh(), camera, rim, 1000).side), dual->mesh().edge(h));
+  EXPECT_EQ(dual->mesh().edge(point_at(picker, ModelPose(dual->mesh()), camera, rim, 1000).side),
+            dual->mesh().edge(h));
 }
 
 }  // namespace

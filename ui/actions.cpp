@@ -130,6 +130,32 @@ std::string redo_label(const UiContext& c) { return c.session.redo_label(); }
 
 void frame_all(UiContext& c) { c.ui.wants_frame_model = c.ui.wants_frame_net = true; }
 
+std::string needs_net(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  return c.session.shown() == nullptr ? "Unfold the model first (Space)." : "";
+}
+
+constexpr double kFoldStep = 0.05;
+
+void play_fold(UiContext& c) {
+  Folding& folding = c.ui.folding;
+  folding.is_playing = !folding.is_playing;
+  if (folding.amount >= 1) folding.goes_up = false;
+  if (folding.amount <= 0) folding.goes_up = true;
+}
+
+std::string play_label(const UiContext& c) {
+  const Folding& folding = c.ui.folding;
+  if (folding.is_playing) return "Stop folding";
+  const bool goes_up = folding.amount <= 0 || (folding.amount < 1 && folding.goes_up);
+  return goes_up ? "Fold up" : "Fold flat";
+}
+
+void fold_by(UiContext& c, double step) {
+  c.ui.folding.is_playing = false;
+  c.ui.folding.amount = std::clamp(c.ui.folding.amount + step, 0.0, 1.0);
+}
+
 void show_report(UiContext& c) {
   c.ui.settings.is_side_open = true;
   c.ui.settings.is_open(Section::Model) = true;
@@ -216,6 +242,12 @@ const auto kActions = std::to_array<Action>({
      [](UiContext& c) { c.ui.wants_home = true; frame_all(c); }, nullptr, nullptr},
     {ActionId::ToggleTextures, "Textures", icon::kTexture, {}, "Shows the model's own colours and pictures",
      needs_looks, toggle<&Settings::show_textures>, is_set<&Settings::show_textures>, nullptr},
+    {ActionId::PlayFold, "Fold up and down", icon::kPlay, {'U', 0}, "Folds the net up to the model, or back to the flat net",
+     needs_net, play_fold, nullptr, play_label},
+    {ActionId::FoldLess, "Fold less", "", {',', 0}, "Unfolds the net a little in the model's view", needs_net,
+     [](UiContext& c) { fold_by(c, -kFoldStep); }, nullptr, nullptr},
+    {ActionId::FoldMore, "Fold more", "", {'.', 0}, "Folds the net a little in the model's view", needs_net,
+     [](UiContext& c) { fold_by(c, kFoldStep); }, nullptr, nullptr},
     {ActionId::ToggleTree, "Unfold tree", icon::kTree, {'T', 0}, "Shows the tree of folds", always,
      toggle<&Settings::show_tree>, is_set<&Settings::show_tree>, nullptr},
     {ActionId::ToggleOverlaps, "Overlaps", icon::kWarning, {'O', 0}, "Marks the faces that overlap", always,

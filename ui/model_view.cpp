@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/fold_bar.h"
 #include "ui/pointing.h"
 #include "ui/selection.h"
 #include "ui/widgets.h"
@@ -84,18 +85,18 @@ void ModelView::handle(UiContext& context, const Scene& scene, const Gesture& ge
   if (gesture.drag_button > 0) camera_.pan(drag);
   if (gesture.wheel != 0) camera_.zoom(std::pow(1.15, gesture.wheel), pointer);
   if (!gesture.is_hovered || gesture.drag_button >= 0) return;
-  if (scene.dual() == nullptr) return;
-  const Pointed pointed =
-      point_at(scene.model_picker(), scene.dual()->mesh(), camera_, pointer, edge_reach(ui));
+  if (scene.dual() == nullptr || ui.folding.is_playing) return;
+  const Pointed pointed = point_at(scene.model_picker(), scene.pose(), camera_, pointer, edge_reach(ui));
   take_pointer(context, pointed, gesture, "Drag turns · right drag moves · wheel zooms · F shows all");
 }
 
 std::vector<FaceId> ModelView::faces_in_band(const Scene& scene) const {
   std::vector<FaceId> faces;
-  const Mesh& mesh = scene.dual()->mesh();
-  for (const FaceId f : mesh.faces()) {
-    const glm::dvec3 middle = face_anchor(*scene.dual(), f);
-    if (glm::dot(mesh.normal(f), camera_.eye() - middle) <= 0) continue;
+  const ModelPose pose = scene.pose();
+  for (const FaceId f : pose.mesh().faces()) {
+    const glm::dvec3 middle = pose.is_model() ? face_anchor(*scene.dual(), f) : pose.centre(f);
+    // Of paper that is still open both sides are seen.
+    if (pose.is_model() && glm::dot(pose.normal(f), camera_.eye() - middle) <= 0) continue;
     const glm::dvec2 pixel(camera_.project(middle));
     if (band_.holds(pixel) && scene.model_picker().pick(camera_.ray(pixel)) == f) faces.push_back(f);
   }
@@ -111,7 +112,7 @@ void ModelView::paint(const UiContext& context, const Scene& scene, Renderers& r
   look.scale = ui.look.scale;
   look.shows_materials = ui.settings.show_textures;
   renderers.mesh.draw(camera_, colours, scene.states(), look);
-  if (scene.shown() != nullptr) {
+  if (scene.shown() != nullptr && scene.pose().is_model()) {
     TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
     renderers.tree.draw_on_model(camera_, colours, tree);
   }
@@ -151,7 +152,8 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
               {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
                ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const ImVec2 size(room.x, room.y - fold_bar_height(ui));
   if (size.x < 1 || size.y < 1) return;
   camera_.set_size({size.x, size.y});
   follow_wishes(context, scene);
@@ -162,6 +164,7 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
   key.add(camera_)
       .add(scene.model_version())
       .add(scene.version())
+      .add(scene.pose_version())
       .add(ui.look.colours.is_dark)
       .add(ui.look.scale);
   key.add(ui.settings.show_tree).add(ui.settings.show_root).add(ui.settings.show_textures);
@@ -175,6 +178,8 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
                      ImVec2(1, 0));
   band_.draw(ui, corner);
   if (scene.dual() != nullptr) draw_axes(ui, scene.dual()->mesh(), corner, size);
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
+  draw_fold_bar(context);
 }
 
 }  // namespace netwright

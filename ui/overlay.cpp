@@ -14,7 +14,7 @@ constexpr double kBulge = 0.35;          ///< of the distance between the sides
 constexpr std::size_t kMostCurves = 60;  ///< more than this is a tangle
 
 struct Target {
-  const Mesh& mesh;
+  const ModelPose& pose;
   const Net* net;
   const IdVector<EdgeId, EdgeKind>* kinds;
   OverlayLines& lines;
@@ -23,19 +23,19 @@ struct Target {
 };
 
 void add_edge(const Target& to, EdgeId e, OverlayStyle style) {
-  const Mesh& mesh = to.mesh;
-  const HalfedgeId h = mesh.halfedge(e);
-  to.lines.add_in_space(mesh.position(h), mesh.position(mesh.next(h)), style);
-  if (to.net == nullptr) return;
-  to.lines.add_in_plane(to.net->corner(h), to.net->corner(mesh.next(h)), style);
-  if (!to.is_cut(e)) return;
-  const HalfedgeId g = mesh.twin(h);
-  to.lines.add_in_plane(to.net->corner(g), to.net->corner(mesh.next(g)), style);
+  const Mesh& mesh = to.pose.mesh();
+  for (const HalfedgeId h : {mesh.halfedge(e), to.is_cut(e) ? mesh.twin(mesh.halfedge(e)) : HalfedgeId()}) {
+    if (!h.is_valid()) continue;
+    const HalfedgeId end = mesh.next(h);
+    const bool is_there_already = to.pose.is_model() && h != mesh.halfedge(e);
+    if (!is_there_already) to.lines.add_in_space(to.pose.position(h), to.pose.position(end), style);
+    if (to.net != nullptr) to.lines.add_in_plane(to.net->corner(h), to.net->corner(end), style);
+  }
 }
 
 /// From the middle of a cut's side to the middle of its other side.
 void add_curve(const Target& to, EdgeId e) {
-  const Mesh& mesh = to.mesh;
+  const Mesh& mesh = to.pose.mesh();
   const HalfedgeId h = mesh.halfedge(e);
   const auto middle = [&](HalfedgeId g) { return (to.net->corner(g) + to.net->corner(mesh.next(g))) * 0.5; };
   const auto outward = [&](HalfedgeId g) {
@@ -59,11 +59,11 @@ void add_curve(const Target& to, EdgeId e) {
 
 }  // namespace
 
-OverlayLines overlay_of(const UiState& ui, const Mesh& mesh, const Net* net,
+OverlayLines overlay_of(const UiState& ui, const ModelPose& pose, const Net* net,
                         const IdVector<EdgeId, EdgeKind>* kinds) {
   OverlayLines lines;
-  const Target to{mesh, net, kinds, lines};
-  const EdgeId hovered = hovered_edge(ui, mesh);
+  const Target to{pose, net, kinds, lines};
+  const EdgeId hovered = hovered_edge(ui, pose.mesh());
   std::size_t n_curves = 0;
   for (const EdgeId e : ui.selected_edges) {
     if (to.is_cut(e) && e != hovered && n_curves++ < kMostCurves) add_curve(to, e);

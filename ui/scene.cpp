@@ -129,6 +129,7 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     ui.hovered = FaceId();
     ui.hovered_side = HalfedgeId();
     clear_selection(ui);
+    ui.folding = Folding();
     ui.lit_line.reset();
     ui.lit_faces.clear();
   }
@@ -138,9 +139,21 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
   }
   take_net(context, renderers);
   mark_faces(context);
-  const auto* kinds = shown_ == nullptr ? nullptr : &shown_->kinds;
-  renderers.overlay.set_lines(dual_ == nullptr ? OverlayLines()
-                                               : overlay_of(context.ui, dual_->mesh(), net(), kinds));
+  take_pose(context, renderers);
+}
+
+void Scene::take_pose(const UiContext& context, Renderers& renderers) {
+  if (dual_ == nullptr) {
+    renderers.overlay.set_lines(OverlayLines());
+    return;
+  }
+  // While another mesh is on its way, the net may still be that of the one before.
+  const ShownNet* own = shown_ != nullptr && shown_->net.dual == dual_ ? shown_.get() : nullptr;
+  const auto* kinds = own == nullptr ? nullptr : &own->kinds;
+  folded_.update(context.ui, own, dual_->mesh().up_axis());
+  renderers.mesh.set_pose(folded_.corners(), folded_.version(), kinds, version_);
+  if (!context.ui.folding.is_playing) model_picker_.set_pose(folded_.corners(), folded_.version());
+  renderers.overlay.set_lines(overlay_of(context.ui, pose(), own == nullptr ? nullptr : net(), kinds));
 }
 
 }  // namespace netwright

@@ -10,6 +10,7 @@
 #include "render/face_states.h"
 #include "render/picker.h"
 #include "render/renderers.h"
+#include "ui/folded_net.h"
 #include "ui/ui_state.h"
 
 namespace netwright {
@@ -43,6 +44,10 @@ class Scene {
   [[nodiscard]] std::uint64_t model_version() const { return model_version_; }
   /// Counts the files shown so far: a new one is framed.
   [[nodiscard]] std::uint64_t file_version() const { return file_version_; }
+  /// Where the model's corners are drawn. Only with a model.
+  [[nodiscard]] ModelPose pose() const { return ModelPose(dual_->mesh(), folded_.corners()); }
+  /// Changes whenever the pose does.
+  [[nodiscard]] std::uint64_t pose_version() const { return folded_.version(); }
   [[nodiscard]] const FaceStates& states() const { return states_; }
   [[nodiscard]] const ModelPicker& model_picker() const { return model_picker_; }
   [[nodiscard]] const NetPicker& net_picker() const { return net_picker_; }
@@ -50,6 +55,7 @@ class Scene {
  private:
   void take_net(const UiContext& context, Renderers& renderers);
   void mark_faces(const UiContext& context);
+  void take_pose(const UiContext& context, Renderers& renderers);
   void place();
 
   std::shared_ptr<const PolygonSoup> source_;
@@ -61,6 +67,7 @@ class Scene {
   std::uint64_t version_ = 1;
   std::uint64_t model_version_ = 0;
   std::uint64_t file_version_ = 0;
+  FoldedNet folded_;
   FaceStates states_;
   ModelPicker model_picker_;
   NetPicker net_picker_;

@@ -19,6 +19,13 @@ namespace netwright {
 
 enum class Dialog { None, Open, Export, Keys, About, Repair };
 
+/// How far the net is folded up in the model's view.
+struct Folding {
+  double amount = 1;  ///< 0 flat … 1 the model
+  bool is_playing = false;
+  bool goes_up = false;  ///< where it plays, and played last
+};
+
 struct Toast {
   std::string text;
   bool is_good = true;
@@ -45,6 +52,7 @@ struct UiState {
   /// The line of the model's report whose culprits are lit in both views, and these; gone with the mesh.
   std::optional<std::size_t> lit_line;
   std::vector<FaceId> lit_faces;
+  Folding folding;
   std::string hint;  ///< what the thing under the pointer does; rebuilt every frame
 
   Dialog dialog = Dialog::None;

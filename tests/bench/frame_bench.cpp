@@ -58,6 +58,30 @@ void measure_frames(Application& app) {
   while (app.session().state() != RunState::Idle) app.turn(0.01);
 }
 
+/// The slider moves in every frame while the search runs.
+void measure_folding(Application& app, const char* what, const PolygonSoup& soup, int n_frames) {
+  open_shape(app, soup);
+  app.session().set_speed(std::numeric_limits<double>::infinity());
+  app.session().unfold();
+  while (app.session().shown() == nullptr) app.turn(0.01);
+  std::vector<double> times;
+  std::vector<double> times_searching;
+  for (int i = 0; i < n_frames; ++i) {
+    app.ui().folding.amount = static_cast<double>(i) / n_frames;
+    app.session().poll();
+    const bool is_searching = app.session().state() == RunState::Running;
+    const double before = seconds();
+    app.draw();
+    (is_searching ? times_searching : times).push_back(seconds() - before);
+  }
+  report(what, times);
+  report("  of these, while searching", times_searching);
+  app.ui().folding.amount = 1;
+  app.session().stop();
+  app.session().skip_replay();
+  while (app.session().state() != RunState::Idle) app.turn(0.01);
+}
+
 void measure_stops(Application& app, const char* what, const PolygonSoup& soup, double speed) {
   constexpr int kStops = 10;
   open_shape(app, soup);
@@ -87,6 +111,8 @@ int main() {
   HeadlessWindow window({"Netwright", {1600, 1000}});
   Application app(window, seconds, {});
   measure_frames(app);
+  measure_folding(app, "fold slider, 800 faces", shapes::bumpy_patch(20, 20), 100);
+  measure_folding(app, "fold slider, 12 000 faces", shapes::bumpy_patch(78, 78), 40);
   measure_stops(app, "stop, 800 faces, watched", shapes::bumpy_patch(20, 20), 60);
   measure_stops(app, "stop, 3200 faces, full speed", shapes::bumpy_patch(40, 40),
                 std::numeric_limits<double>::infinity());
