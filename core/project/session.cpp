@@ -103,7 +103,7 @@ double Session::wait_seconds() const {
   constexpr double kTenth = 0.1;
   if (impl_->playing) return kFrame;
   if (impl_->run && !impl_->run->is_paused()) return kTenth;
-  return std::numeric_limits<double>::infinity();
+  return impl_->keeper.wait_seconds(impl_->clock());
 }
 
 RunState Session::state() const {

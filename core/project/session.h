@@ -12,6 +12,7 @@
 
 #include "core/mesh/mesh_report.h"
 #include "core/mesh/read.h"
+#include "core/project/autosave.h"
 #include "core/project/project.h"
 #include "core/project/run_figures.h"
 #include "core/project/shown_net.h"
@@ -56,6 +57,7 @@ class Session {
   [[nodiscard]] double wait_seconds() const;
 
   // Models. Reading happens on the chores lane; errors arrive as messages, the present model stays.
+  /// A model or a project, by its content. What is unsaved goes when the new one is there.
   void open(const std::filesystem::path& path);
   /// Opens a bundled model from memory; `name` tells the format by its extension, `companions` finds the
   /// files it refers to (a material library, a picture) and is called on the worker.
@@ -151,6 +153,24 @@ class Session {
   [[nodiscard]] std::shared_ptr<const PageLayout> pages() const;
   /// Writes by the path's extension on the chores lane; success or failure arrives as a message.
   void export_to(const std::filesystem::path& path);
+
+  // The project's file. Saving is a chore; success or failure arrives as a message.
+  /// Empty until the project was saved or when it was opened from a model.
+  [[nodiscard]] const std::filesystem::path& file() const;
+  /// Is there anything that would be lost?
+  [[nodiscard]] bool is_modified() const;
+  void save(const std::filesystem::path& file);  ///< which is the project's file from then on
+  [[nodiscard]] bool is_saving() const;
+
+  // Never losing work: with a folder for it, unsaved changes are kept there within a minute and after every
+  // run, until they are saved or given up. What an editor that died has left there can be recovered.
+  void keep_changes_in(const std::filesystem::path& folder);
+  /// As found when the folder was named, newest first; without those recovered or discarded since.
+  [[nodiscard]] const std::vector<Leftover>& leftovers() const;
+  void recover(const std::filesystem::path& leftover);
+  void discard(const std::filesystem::path& leftover);
+  /// The user quits and has decided about unsaved changes: nothing of them is left to recover.
+  void give_up_changes();
 
   /// Messages since the last call, oldest first.
   std::vector<Message> take_messages();

@@ -12,6 +12,7 @@
 #include "core/project/bell.h"
 #include "core/project/derived.h"
 #include "core/project/history.h"
+#include "core/project/keeper.h"
 #include "core/project/open_model.h"
 #include "core/project/replay.h"
 #include "core/project/search_run.h"
@@ -30,6 +31,7 @@ struct Session::Impl {
   };
   struct Opened {
     std::optional<OpenedModel> model;
+    std::optional<StoredProject> stored;
     std::string fault;
   };
   struct Made {
@@ -61,6 +63,9 @@ struct Session::Impl {
   // Taking in what the worker finished (session_poll.cpp); each tells whether anything changed.
   bool poll();
   bool take_opened();
+  void take_stored(const StoredProject& stored);
+  bool take_leftovers();
+  bool watch_files();
   bool take_made();
   bool take_derived();
   bool take_exports();
@@ -76,6 +81,7 @@ struct Session::Impl {
   // Chores.
   void open(ModelSource source);
   void adopt(const OpenedModel& model, const Recipe& recipe, const std::shared_ptr<const MadeModel>& made);
+  void replace(Project next);  ///< takes the present project's place, with a history of its own
   void make(Making wanted);
   void cancel_making();
   void part_net_from_step();
@@ -125,6 +131,12 @@ struct Session::Impl {
       false;  ///< a net was found meanwhile; when the hand lets go it gets its own undo step
   std::shared_ptr<Chore<Derived>> deriving;
   std::vector<std::shared_ptr<Chore<Message>>> exports;
+
+  Keeper keeper{worker, bell};
+  std::filesystem::path opening_file;        ///< of the project that is being read
+  std::optional<AutosaveSlot> opening_slot;  ///< it is being recovered from
+  std::shared_ptr<Chore<std::vector<Leftover>>> searching_leftovers;
+  std::vector<Leftover> leftovers;
 
   std::vector<Message> messages;
   std::uint64_t n_messages = 0;

@@ -10,13 +10,20 @@ namespace netwright {
 
 void Session::Impl::open(ModelSource source) {
   if (opening) opening->progress->cancel();
+  opening_slot.reset();
+  opening_file = source.path;
   opening = std::make_shared<Chore<Opened>>(bell);
   opening->progress =
       worker.submit(Worker::Lane::Chores, [chore = opening, model = std::move(source)](Progress& progress) {
         auto opened = std::make_shared<Opened>();
         if (progress.is_cancelled()) return;
         try {
-          opened->model = open_model(model, progress);
+          if (is_project_file(model.path)) {
+            progress.set_phase("Reading " + model.path.filename().string());
+            opened->stored = load_project(model.path);
+          } else {
+            opened->model = open_model(model, progress);
+          }
         } catch (...) {
           opened->fault = sentence_for_current_exception("Opening the model");
         }
@@ -29,6 +36,11 @@ bool Session::Impl::take_opened() {
   if (!opened) return false;
   opening = nullptr;
   waiting.reset();
+  if (opened->stored) {
+    take_stored(*opened->stored);
+    return true;
+  }
+  opening_slot.reset();
   if (!opened->model) {
     say(Message::Kind::Error, opened->fault);
     return true;
@@ -49,20 +61,24 @@ bool Session::Impl::take_opened() {
   return true;
 }
 
-// A model takes the place of the present one, with a history of its own.
-void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
-                          const std::shared_ptr<const MadeModel>& made) {
+void Session::Impl::replace(Project next) {
   cancel_making();
   discard_run();
   playing.reset();
-  Project next = new_project(project(), model.path, made->dual);
-  next.source = model.source;
-  next.recipe = recipe;
-  next.made = made;
   history = History(std::move(next));
   derived = nullptr;
   drop_result();
   derive_again();
+}
+
+void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
+                          const std::shared_ptr<const MadeModel>& made) {
+  Project next = new_project(project(), model.path, made->dual);
+  next.source = model.source;
+  next.recipe = recipe;
+  next.made = made;
+  replace(std::move(next));
+  keeper.adopt_saved(project(), {});
   for (const std::string& notice : model.notices) say(Message::Kind::Notice, notice);
   for (const std::string& sentence : made->done) say(Message::Kind::Notice, sentence);
 }
@@ -151,6 +167,7 @@ void Session::open_bytes(const std::string& name, std::string bytes, CompanionLo
 void Session::cancel_opening() {
   if (impl_->opening) impl_->opening->progress->cancel();
   impl_->opening = nullptr;
+  impl_->opening_slot.reset();
   impl_->cancel_making();
 }
 

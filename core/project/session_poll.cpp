@@ -224,6 +224,7 @@ void Session::Impl::accept(const SolveResult& result, const RunSummary& summary)
   } else {
     edit("unfold", std::move(next));
   }
+  keeper.hurry();
 }
 
 void Session::Impl::show_unfinished(const SolveResult& result) {
@@ -305,6 +306,8 @@ bool Session::Impl::poll() {
   has_changed |= take_made();
   has_changed |= take_derived();
   has_changed |= take_exports();
+  has_changed |= take_leftovers();
+  has_changed |= watch_files();
   has_changed |= show_replay();
   has_changed |= take_run();
   watch_clock();
