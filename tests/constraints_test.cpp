@@ -171,6 +171,30 @@ TEST(Contradiction, MustFoldsAroundASaddlePointCannotLieFlat) {
   EXPECT_GT(n_found, 0);
 }
 
+TEST(Contradiction, APatchAroundASaddlePointIsCrowdedOnlyWithoutAGap) {
+  const auto dual = testing::make_dual(shapes::hat());
+  const Mesh& mesh = dual->mesh();
+  int n_crowded = 0;
+  for (const VertexId v : mesh.vertices()) {
+    const std::vector<EdgeId> around = edges_around(mesh, v);
+    Constraints pins;
+    std::vector<FaceId> patch;
+    for (const EdgeId e : around)
+      for (const HalfedgeId h : {mesh.halfedge(e), mesh.twin(mesh.halfedge(e))})
+        patch.push_back(mesh.face(h));
+    keep_together(pins, patch);
+    const auto found = find_contradiction(*dual, pins);
+    if (!found) continue;
+    ++n_crowded;
+    EXPECT_EQ(found->faces, pins.together.front());
+    EXPECT_NE(found->sentence.find("cannot lie flat together"), std::string::npos);
+    // Without one of them the rest has room.
+    let_go(pins, {mesh.face(mesh.halfedge(around[0])), mesh.neighbour(mesh.halfedge(around[0]))});
+    EXPECT_FALSE(find_contradiction(*dual, pins));
+  }
+  EXPECT_GT(n_crowded, 0);
+}
+
 TEST(StartTree, KeepsPinsOverTheZoo) {
   Random random(3);
   for (const auto& shape : testing::zoo()) {

@@ -6,12 +6,16 @@
 
 #include "core/base/predicates.h"
 #include "core/solve/constraints.h"
+#include "core/solve/crowded_patch.h"
 #include "core/solve/disjoint_sets.h"
 #include "core/unfold/overlap.h"
 
 namespace netwright {
 
 namespace {
+
+// Patches painted by hand are settled in a few dozen steps; what takes more is left to the search itself.
+constexpr int kStepsPerPatch = 2000;
 
 std::string count_of(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
@@ -32,7 +36,8 @@ class PinCheck {
     if (auto found = find_broken_patch()) return found;
     if (auto found = find_loop()) return found;
     if (auto found = find_separated()) return found;
-    return find_crowding();
+    if (auto found = find_crowding()) return found;
+    return find_crowded_patch();
   }
 
  private:
@@ -165,24 +170,13 @@ class PinCheck {
     return std::nullopt;
   }
 
-  [[nodiscard]] std::vector<glm::dvec2> placed_part(FaceId f, int k) const {
-    std::vector<glm::dvec2> part;
-    for (const int corner : dual_.part(f, k))
-      part.push_back(placement_[f](dual_.flat(HalfedgeId(mesh_.first(f).value + corner))));
-    return part;
-  }
-
   // Deeper than the proof would ever let pass, so that a doubtful contact contradicts nothing.
   [[nodiscard]] bool do_overlap(FaceId f, FaceId g) const {
     const double reach = mesh_.size(f) + mesh_.size(g);
     const glm::dvec2 between =
         placement_[f](dual_.flat(mesh_.first(f))) - placement_[g](dual_.flat(mesh_.first(g)));
     if (between.x * between.x + between.y * between.y > reach * reach) return false;
-    const double depth = 2 * kProofDepth * mesh_.mean_edge();
-    for (int i = 0; i < dual_.n_parts(f); ++i)
-      for (int j = 0; j < dual_.n_parts(g); ++j)
-        if (convex_overlap(placed_part(f, i), placed_part(g, j), depth)) return true;
-    return false;
+    return faces_overlap(dual_, f, placement_[f], g, placement_[g], 2 * kProofDepth * mesh_.mean_edge());
   }
 
   // The folds between the two faces are to blame.
@@ -200,6 +194,43 @@ class PinCheck {
         (meet_at_point(found.edges) ? " would cover each other around a point that cannot lie flat"
                                     : " would cover each other on the paper") +
         ": release one of the folds that are lit.";
+    return found;
+  }
+
+  // Patches, with all that must-folds join to them, whose faces cover each other however they are joined.
+  std::optional<Contradiction> find_crowded_patch() {
+    if (pins_.together.empty()) return std::nullopt;
+    IdVector<EdgeId, char> may_fold(mesh_.n_edges(), 0);
+    IdVector<EdgeId, char> must_fold(mesh_.n_edges(), 0);
+    DisjointSets sets(mesh_.n_faces());
+    for (const EdgeId e : mesh_.edges()) {
+      must_fold[e] = pin_[e] == EdgePin::MustFold ? 1 : 0;
+      may_fold[e] = may_fold_inside(e) ? 1 : 0;
+      if (must_fold[e] + may_fold[e] > 0) sets.join(a(e), b(e));
+    }
+    IdVector<FaceId, std::vector<FaceId>> clusters(mesh_.n_faces());
+    for (const FaceId f : mesh_.faces()) clusters[FaceId(sets.find(f.value))].push_back(f);
+    for (const std::vector<FaceId>& cluster : clusters) {
+      const bool has_patch =
+          std::any_of(cluster.begin(), cluster.end(), [&](FaceId f) { return patch_[f] >= 0; });
+      if (has_patch && is_crowded(dual_, cluster, may_fold, must_fold, kStepsPerPatch) == true)
+        return crowded(cluster);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool may_fold_inside(EdgeId e) const { return may_fold(e) && is_inner(e); }
+
+  [[nodiscard]] Contradiction crowded(const std::vector<FaceId>& cluster) const {
+    Contradiction found;
+    found.faces = cluster;
+    const auto is_in = [&](int f) { return std::binary_search(cluster.begin(), cluster.end(), FaceId(f)); };
+    for (const EdgeId e : mesh_.edges())
+      if (pin_[e] != EdgePin::None && is_in(a(e)) && is_in(b(e))) found.edges.push_back(e);
+    found.sentence =
+        "The " + std::to_string(cluster.size()) +
+        " faces that are lit cannot lie flat together, however they are joined: let some of them go" +
+        (found.edges.empty() ? "." : ", or release one of the pins between them.");
     return found;
   }
 

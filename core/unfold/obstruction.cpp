@@ -1,9 +1,6 @@
 // Tries every hinge of every face by itself.
 #include "core/unfold/obstruction.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "core/base/predicates.h"
 #include "core/unfold/overlap.h"
 
@@ -11,27 +8,10 @@ namespace netwright {
 
 namespace {
 
-using Part = std::vector<glm::dvec2>;
-
-std::vector<Part> placed_parts(const DualGraph& dual, FaceId f, const Rigid2& placement) {
-  std::vector<Part> parts;
-  for (int k = 0; k < dual.n_parts(f); ++k) {
-    Part& part = parts.emplace_back();
-    for (const int corner : dual.part(f, k))
-      part.push_back(placement(dual.flat(HalfedgeId(dual.mesh().first(f).value + corner))));
-  }
-  return parts;
-}
-
 // Deeper than the proof would ever let pass, so that a doubtful contact is no obstruction.
 bool overlaps_when_joined(const DualGraph& dual, HalfedgeId h) {
   const double depth = 2 * kProofDepth * dual.mesh().mean_edge();
-  const auto own = placed_parts(dual, dual.mesh().face(h), Rigid2());
-  const auto other = placed_parts(dual, dual.mesh().neighbour(h), dual.unroll(h));
-  return std::any_of(own.begin(), own.end(), [&](const Part& a) {
-    return std::any_of(other.begin(), other.end(),
-                       [&](const Part& b) { return convex_overlap(a, b, depth); });
-  });
+  return faces_overlap(dual, dual.mesh().face(h), Rigid2(), dual.mesh().neighbour(h), dual.unroll(h), depth);
 }
 
 }  // namespace

@@ -86,4 +86,18 @@ std::vector<Overlap> find_overlaps(const Net& net, double depth) {
   return result;
 }
 
+bool faces_overlap(const DualGraph& dual, FaceId f, const Rigid2& f_placement, FaceId g,
+                   const Rigid2& g_placement, double depth) {
+  const auto part = [&](FaceId face, int k, const Rigid2& placement) {
+    std::vector<glm::dvec2> corners;
+    for (const int corner : dual.part(face, k))
+      corners.push_back(placement(dual.flat(HalfedgeId(dual.mesh().first(face).value + corner))));
+    return corners;
+  };
+  for (int i = 0; i < dual.n_parts(f); ++i)
+    for (int j = 0; j < dual.n_parts(g); ++j)
+      if (convex_overlap(part(f, i, f_placement), part(g, j, g_placement), depth)) return true;
+  return false;
+}
+
 }  // namespace netwright

@@ -25,4 +25,8 @@ std::vector<Overlap> find_overlaps(const Net& net, double depth);
 /// rounding, so adjacent faces need no exception; containment is covered.
 bool convex_overlap(std::span<const glm::dvec2> a, std::span<const glm::dvec2> b, double depth);
 
+/// The same for two faces laid down here and there, concave ones part by part.
+bool faces_overlap(const DualGraph& dual, FaceId f, const Rigid2& f_placement, FaceId g,
+                   const Rigid2& g_placement, double depth);
+
 }  // namespace netwright
