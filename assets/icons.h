@@ -58,6 +58,7 @@ inline constexpr const char* kRuler = "\uf46d";          // ruler
 inline constexpr const char* kTexture = "\uf50c";        // texture
 inline constexpr const char* kChart = "\uf12a";          // chart-line
 inline constexpr const char* kLayers = "\uf328";         // layers
+inline constexpr const char* kNumbers = "\uf423";       // pound
 inline constexpr const char* kGrid = "\uf2c1";           // grid
 inline constexpr const char* kVisible = "\uf208";        // eye
 inline constexpr const char* kHidden = "\uf209";         // eye-off

@@ -156,6 +156,19 @@ void PanZoomCamera::frame(const Box2& box, double margin_px) {
   framed_pixels_per_unit_ = pixels_per_unit_;
 }
 
+void PanZoomCamera::approach(const Box2& box, double share, double most_magnified) {
+  const glm::dvec2 scale = share * size_px_ / glm::max(box.size(), glm::dvec2(1e-300));
+  centre_ = box.centre();
+  pixels_per_unit_ = std::min({scale.x, scale.y, most_magnified * framed_pixels_per_unit_});
+}
+
+PanZoomCamera PanZoomCamera::between(const PanZoomCamera& from, const PanZoomCamera& to, double t) {
+  PanZoomCamera camera = to;
+  camera.centre_ = from.centre_ + (to.centre_ - from.centre_) * t;
+  camera.pixels_per_unit_ = from.pixels_per_unit_ * std::pow(to.pixels_per_unit_ / from.pixels_per_unit_, t);
+  return camera;
+}
+
 void PanZoomCamera::pan(glm::dvec2 drag_px) {
   centre_ += glm::dvec2(-drag_px.x, drag_px.y) / pixels_per_unit_;
 }

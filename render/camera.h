@@ -86,6 +86,11 @@ class PanZoomCamera {
   /// Comes closer by a factor (over 1 = closer) and keeps the point under the pointer in place.
   void zoom(double factor, glm::dvec2 pointer_px);
   void centre_on(glm::dvec2 point) { centre_ = point; }
+  /// Shows the box so that it fills this share of the view, but no closer than that many times the framed
+  /// net.
+  void approach(const Box2& box, double share, double most_magnified);
+  /// Part of the way from one view to another one; t is 0…1.
+  static PanZoomCamera between(const PanZoomCamera& from, const PanZoomCamera& to, double t);
 
   [[nodiscard]] glm::dvec2 to_pixel(glm::dvec2 point) const;
   [[nodiscard]] glm::dvec2 to_world(glm::dvec2 pixel) const;

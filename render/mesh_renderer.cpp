@@ -20,6 +20,9 @@ constexpr std::uint32_t kMountainLine = 3;
 constexpr std::uint32_t kValleyLine = 4;
 constexpr std::uint32_t kFlatLine = 5;
 
+constexpr float kGlass = 0.2F;       ///< opacity of a face of a model that is seen through
+constexpr float kHiddenLine = 0.3F;  ///< of the strength of lines that nothing hides
+
 std::uint32_t style_of(EdgeKind kind) {
   switch (kind) {
     case EdgeKind::Mountain:
@@ -214,12 +217,28 @@ void MeshRenderer::draw_faces(const OrbitCamera& camera, const Palette& palette,
   shader_.set("picture", 1);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, state_table_.name());
-  glEnable(GL_DEPTH_TEST);
+  shader_.set("opacity", look.is_seen_through ? kGlass : 1.0F);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glBindVertexArray(array_.name());
+  if (look.is_seen_through) {
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    draw_groups();
+    // Once more for the depth alone, which tells hidden edges from others.
+    glDisable(GL_BLEND);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  }
+  glEnable(GL_DEPTH_TEST);
+  draw_groups();
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void MeshRenderer::draw_groups() const {
   for (const Group& group : groups_) {
     shader_.set("has_texture", group.material >= 0 ? 1 : 0);
     glActiveTexture(GL_TEXTURE1);
@@ -227,21 +246,25 @@ void MeshRenderer::draw_faces(const OrbitCamera& camera, const Palette& palette,
                   group.material >= 0 ? textures_[static_cast<std::size_t>(group.material)].name() : 0);
     glDrawArrays(GL_TRIANGLES, group.first, group.count);
   }
-  glActiveTexture(GL_TEXTURE0);
 }
 
 void MeshRenderer::draw_lines(const OrbitCamera& camera, const Palette& palette, const MeshLook& look) const {
   const LineView view = look_through(camera, look.scale);
-  Colour border = palette.model_edge;
-  border.a = 1;
   const float thin = thinning(dual_->mesh().mean_edge() * camera.pixels_per_unit(), look.scale);
   std::array<LineStyle, 6> edge_styles;
   edge_styles[kPlainLine] = {palette.model_edge, thin, {}, false};
-  edge_styles[kBorderLine] = {border, 1.4F, {}, false};
+  edge_styles[kBorderLine] = {palette.border, 1.4F, {}, false};
   edge_styles[kCutLine] = {palette.cut, 1.5F * thin, {}, false};
   edge_styles[kMountainLine] = {palette.mountain, 1.1F * thin, {6, 2.5F, 1.2F, 2.5F}, false};
   edge_styles[kValleyLine] = {palette.valley, 1.1F * thin, {4, 3, 0, 0}, false};
   edge_styles[kFlatLine] = {palette.flat, 1, {}, false};
+  if (look.is_seen_through && look.shows_edges) {
+    std::array<LineStyle, 6> hidden = edge_styles;
+    for (LineStyle& style : hidden) style.colour.a *= kHiddenLine;
+    LineView through = view;
+    through.is_depth_tested = false;
+    lines_.draw(edges_, hidden, through);
+  }
   if (look.shows_edges) lines_.draw(edges_, edge_styles, view);
   const std::array<LineStyle, 1> selected{LineStyle{palette.selection, 3, {}, false}};
   lines_.draw(outlines_, selected, view);

@@ -16,8 +16,9 @@ namespace netwright {
 
 struct MeshLook {
   bool shows_edges = true;
-  bool shows_materials = true;  ///< the model's own colours and textures, when it has any
-  float scale = 1;              ///< pixels per design pixel
+  bool shows_materials = true;   ///< the model's own colours and textures, when it has any
+  bool is_seen_through = false;  ///< faces like thin glass, hidden edges faintly
+  float scale = 1;               ///< pixels per design pixel
 };
 
 class MeshRenderer {
@@ -53,6 +54,7 @@ class MeshRenderer {
   void upload_textures();
   void upload_states(const FaceStates& states);
   void draw_faces(const OrbitCamera& camera, const Palette& palette, const MeshLook& look) const;
+  void draw_groups() const;
   void draw_lines(const OrbitCamera& camera, const Palette& palette, const MeshLook& look) const;
 
   const LineRenderer& lines_;

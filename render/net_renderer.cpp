@@ -23,6 +23,7 @@ constexpr std::uint32_t kCutLine = 0;
 constexpr std::uint32_t kMountainLine = 1;
 constexpr std::uint32_t kValleyLine = 2;
 constexpr std::uint32_t kFlatLine = 3;
+constexpr std::uint32_t kBorderLine = 4;
 
 glm::vec3 flat_point(glm::dvec2 p) { return {static_cast<float>(p.x), static_cast<float>(p.y), 0.0F}; }
 
@@ -34,9 +35,12 @@ std::uint32_t style_of(EdgeKind kind) {
       return kValleyLine;
     case EdgeKind::Flat:
       return kFlatLine;
-    default:
-      return kCutLine;
+    case EdgeKind::Border:
+      return kBorderLine;
+    case EdgeKind::Cut:
+      break;
   }
+  return kCutLine;
 }
 
 /// Fills a rectangle of the world by clearing it: axis-parallel, so no triangle is needed.
@@ -133,7 +137,7 @@ void NetRenderer::upload_lines(const Net& net, const IdVector<EdgeId, EdgeKind>&
     const auto side = [&](HalfedgeId g) {
       return LineSegment{flat_point(net.corner(g)), flat_point(net.corner(mesh.next(g))), style};
     };
-    if (style != kCutLine) {
+    if (style != kCutLine && style != kBorderLine) {
       folds.push_back(side(h));
       continue;
     }
@@ -191,7 +195,8 @@ void NetRenderer::draw_sheets(const PanZoomCamera& camera, const Palette& palett
 void NetRenderer::draw_faces(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const {
   if (n_face_vertices_ == 0) return;
   if (palette.cut_halo.a > 0) {
-    const std::array<LineStyle, 1> halo{LineStyle{palette.cut_halo, 3.6F, {}, false}};
+    std::array<LineStyle, 5> halo;
+    halo[kCutLine] = halo[kBorderLine] = {palette.cut_halo, 3.6F, {}, false};
     lines_.draw(cuts_, halo, look_through(camera, look.scale));
   }
   shader_.use();
@@ -219,11 +224,12 @@ void NetRenderer::draw_faces(const PanZoomCamera& camera, const Palette& palette
 void NetRenderer::draw_lines(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const {
   const LineView view = look_through(camera, look.scale);
   const float thin = thinning(mean_edge_ * camera.pixels_per_unit(), look.scale);
-  std::array<LineStyle, 4> styles;
+  std::array<LineStyle, 5> styles;
   styles[kCutLine] = {palette.cut, 1.3F * thin, {}, false};
   styles[kMountainLine] = {palette.mountain, 1.1F * thin, {6, 2.5F, 1.2F, 2.5F}, false};
   styles[kValleyLine] = {palette.valley, 1.1F * thin, {4, 3, 0, 0}, false};
   styles[kFlatLine] = {palette.flat, 1, {}, false};
+  styles[kBorderLine] = {palette.border, 1.3F * thin, {}, false};
   if (look.shows_folds) lines_.draw(folds_, styles, view);
   if (look.shows_cuts) lines_.draw(cuts_, styles, view);
   const std::array<LineStyle, 1> selected{LineStyle{palette.selection, 3, {}, false}};

@@ -39,6 +39,7 @@ Palette light() {
   p.mountain = rgb(0xB5392B);
   p.valley = rgb(0x1F78B4);
   p.flat = rgb(0x191C21, 0.13F);
+  p.border = rgb(0x737A86);
   p.hover = rgb(0x5B8DEF, 0.38F);
   p.hover_edge = rgb(0x008DB0);
   return p;
@@ -62,6 +63,7 @@ Palette dark() {
   p.mountain = rgb(0xA93226);
   p.valley = rgb(0x1B6CA8);
   p.flat = rgb(0x101216, 0.16F);
+  p.border = rgb(0x6B727E);
   p.hover = rgb(0x4C82F0, 0.42F);
   p.hover_edge = rgb(0x22BEE6);
   return p;

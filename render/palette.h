@@ -36,6 +36,7 @@ struct Palette {
   Colour mountain;
   Colour valley;
   Colour flat;
+  Colour border;  ///< where the model is open: cut, but nothing is glued to it
   // Meaning, in both views.
   Colour tree;
   Colour root;

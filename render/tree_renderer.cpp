@@ -155,6 +155,13 @@ std::array<LineStyle, 2> root_styles(const Palette& palette) {
 void TreeRenderer::draw_on_model(const OrbitCamera& camera, const Palette& palette,
                                  const TreeLook& look) const {
   const float width = 2.0F * thinning(mean_edge_ * camera.pixels_per_unit(), look.scale);
+  if (look.is_seen_through) {
+    auto hidden = tree_styles(palette, look, width);
+    for (LineStyle& style : hidden) style.colour.a *= 0.35F;
+    LineView through = look_through(camera, look.scale);
+    through.is_depth_tested = false;
+    lines_.draw(in_space_, hidden, through);
+  }
   lines_.draw(in_space_, tree_styles(palette, look, width), look_through(camera, look.scale, 2.5));
   if (look.shows_roots)
     lines_.draw(roots_in_space_, root_styles(palette), look_through(camera, look.scale, 10));

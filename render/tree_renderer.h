@@ -14,8 +14,9 @@ namespace netwright {
 struct TreeLook {
   bool shows_tree = true;
   bool shows_roots = true;
-  bool shows_search = true;  ///< climbed path and candidates, when there are any
-  float scale = 1;           ///< pixels per design pixel
+  bool shows_search = true;      ///< climbed path and candidates, when there are any
+  float scale = 1;               ///< pixels per design pixel
+  bool is_seen_through = false;  ///< the model is: what it hides is drawn faintly
 };
 
 class TreeRenderer {

@@ -3,6 +3,7 @@ in vec2 texture_place;
 flat in vec3 front;
 flat in vec3 back;
 flat in vec2 hatch_and_texture;
+flat in float cover;
 
 uniform vec4 hatch;
 uniform vec2 hatch_origin;
@@ -21,5 +22,5 @@ void main() {
     float wave = abs(fract((p.x + p.y) * 0.117) - 0.5) * 8.5;
     colour = mix(colour, hatch.rgb, hatch.a * clamp(1.6 - wave, 0.0, 1.0));
   }
-  fragment = vec4(colour, 1.0);
+  fragment = vec4(colour, cover);
 }

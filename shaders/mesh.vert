@@ -16,12 +16,14 @@ uniform vec4 hover;
 uniform vec4 chosen;
 uniform vec4 climbed;
 uniform int shows_materials;
+uniform float opacity;
 uniform usampler2D states;
 
 out vec2 texture_place;
 flat out vec3 front;
 flat out vec3 back;
 flat out vec2 hatch_and_texture;
+flat out float cover;
 
 const vec3 kKeyLight = normalize(vec3(-0.35, 0.75, 0.65));
 const vec3 kFillLight = normalize(vec3(0.8, -0.1, 0.45));
@@ -49,6 +51,8 @@ void main() {
   front = shade(colour, n);
   back = shade(mark > 0.0 ? colour : paper_back.rgb, -n);
   hatch_and_texture = vec2((state & 4u) != 0u ? 1.0 : 0.0, has_material && mark == 0.0 ? 1.0 : 0.0);
+  // What is marked, selected or pointed at stands out of a model that is seen through.
+  cover = mark > 0.0 || (state & 9u) != 0u ? min(1.0, opacity * 2.5) : opacity;
   texture_place = uv;
   gl_Position = clip_from_world * vec4(position, 1.0);
 }

@@ -41,6 +41,8 @@ enum class ActionId {
   ToggleOverlaps,
   ToggleRoot,
   TogglePages,
+  ToggleXray,
+  ToggleNumbers,
   ToggleSide,
   Keys,
   About,

@@ -8,22 +8,34 @@
 #include <string>
 #include <vector>
 
+#include "assets/icons.h"
 #include "ui/view_parts.h"
 
 namespace netwright {
 namespace {
 
-enum class Mark { Line, Dot, Fill, Hatch };
+enum class Mark { Line, Dot, Fill, Hatch, Icon };
 
 struct Entry {
   std::string label;
   Mark mark = Mark::Line;
   Colour colour{0};
   std::vector<float> dash = {};  ///< ink, gap … in design pixels; empty = solid
+  const char* sign = "";         ///< of an icon
 };
 
+bool has_kind(const ShownNet& shown, EdgeKind kind) {
+  return std::find(shown.kinds.begin(), shown.kinds.end(), kind) != shown.kinds.end();
+}
+
+void add_pins(const Constraints& pins, const Palette& p, std::vector<Entry>& entries) {
+  if (!pins.must_fold.empty()) entries.push_back({"must fold", Mark::Icon, p.tree, {}, icon::kPin});
+  if (!pins.must_cut.empty()) entries.push_back({"must cut", Mark::Icon, p.cut, {}, icon::kCut});
+}
+
 /// While single moves are watched the moves are the topic, not the folds.
-std::vector<Entry> entries_of(const UiState& ui, const ShownNet& shown) {
+std::vector<Entry> entries_of(const UiContext& context, const ShownNet& shown) {
+  const UiState& ui = context.ui;
   const Palette& p = palette_of(ui);
   const bool is_stepping = !shown.climbed.empty();
   std::vector<Entry> entries;
@@ -35,6 +47,9 @@ std::vector<Entry> entries_of(const UiState& ui, const ShownNet& shown) {
     entries.push_back({"cut", Mark::Line, p.cut});
     entries.push_back({"mountain", Mark::Line, p.mountain, {6, 2, 2, 2}});
     entries.push_back({"valley", Mark::Line, p.valley, {4, 3}});
+    if (has_kind(shown, EdgeKind::Flat)) entries.push_back({"flat", Mark::Line, p.flat});
+    if (has_kind(shown, EdgeKind::Border)) entries.push_back({"border", Mark::Line, p.border});
+    add_pins(context.session.project().pins, p, entries);
   }
   // Where room runs out the last ones go: tree and root have switches of their own that say what they are.
   if (ui.settings.show_overlaps && !shown.overlaps.empty())
@@ -106,6 +121,12 @@ void draw_swatch(const UiState& ui, const Entry& entry, ImVec2 min, ImVec2 max) 
   } else if (entry.mark == Mark::Dot) {
     draw.AddCircleFilled(middle, ui.look.px(4.5F), to_u32(entry.colour), 16);
     draw.AddCircle(middle, ui.look.px(4.5F), to_u32(palette_of(ui).root_rim), 16, 1.5F * ui.look.scale);
+  } else if (entry.mark == Mark::Icon) {
+    const ImFont* font = ui.look.fonts.text;
+    const float size = ui.look.px(13);
+    const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, entry.sign);
+    draw.AddText(font, size, ImVec2(std::floor(middle.x - extent.x / 2), std::floor(middle.y - extent.y / 2)),
+                 to_u32(entry.colour), entry.sign);
   } else if (entry.mark == Mark::Fill) {
     draw.AddRectFilled(min, max, to_u32(entry.colour), ui.look.px(2));
   } else {
@@ -117,13 +138,14 @@ void draw_swatch(const UiState& ui, const Entry& entry, ImVec2 min, ImVec2 max) 
 
 float legend_height(const UiState& ui) { return ui.look.px(40); }
 
-void draw_legend(const UiState& ui, const ShownNet* shown) {
+void draw_legend(const UiContext& context, const ShownNet* shown) {
+  const UiState& ui = context.ui;
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + ImGui::GetContentRegionAvail().x, min.y + legend_height(ui));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, max, to_u32(palette_of(ui).desk));
   if (shown == nullptr) return;
-  const std::vector<Entry> entries = entries_of(ui, *shown);
+  const std::vector<Entry> entries = entries_of(context, *shown);
   const Spacing spacing = spacing_for(ui, entries, max.x - min.x);
   const ImFont* font = ui.look.fonts.small;
   const float middle = (min.y + max.y) / 2;

@@ -8,6 +8,6 @@ namespace netwright {
 float legend_height(const UiState& ui);
 
 /// Fills the rest of the present window's width; only what can be seen now is explained. `shown` may be null.
-void draw_legend(const UiState& ui, const ShownNet* shown);
+void draw_legend(const UiContext& context, const ShownNet* shown);
 
 }  // namespace netwright

@@ -84,8 +84,9 @@ void view_menu(UiContext& context) {
   ImGui::Separator();
   for (const ActionId id : {ActionId::PlayFold, ActionId::FoldLess, ActionId::FoldMore}) entry(context, id);
   ImGui::Separator();
-  for (const ActionId id : {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps,
-                            ActionId::ToggleRoot, ActionId::TogglePages}) {
+  for (const ActionId id :
+       {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
+        ActionId::TogglePages, ActionId::ToggleXray, ActionId::ToggleNumbers}) {
     entry(context, id);
   }
   ImGui::Separator();

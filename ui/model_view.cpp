@@ -16,12 +16,9 @@ namespace netwright {
 namespace {
 
 constexpr double kShareOfView = 0.78;  ///< what a framed model fills; some room stays for turning it
-constexpr double kFlightSeconds = 0.18;
-constexpr double kLitShare = 0.3;     ///< of the view, filled by faces that are flown to
+constexpr double kGrazing = 0.25;  ///< cosine; a face seen more from the side than this is turned to the eye
+constexpr double kLitShare = 0.3;  ///< of the view, filled by faces that are flown to
 constexpr double kMostMagnified = 4;  ///< against the framed model, so that one still sees where one is
-
-/// Starts slowly and arrives slowly.
-double eased(double t) { return t * t * (3 - 2 * t); }
 
 }  // namespace
 
@@ -35,29 +32,44 @@ void ModelView::follow_wishes(UiContext& context, const Scene& scene) {
   if (is_new || ui.wants_frame_model) frame_model(camera_, mesh, kShareOfView);
   file_version_ = scene.file_version();
   ui.wants_home = ui.wants_frame_model = false;
-  if (ui.centre_now.is_valid()) camera_.centre_on(mesh.centre(ui.centre_now));
-  if (std::exchange(ui.wants_lit_in_view, false)) start_flight(ui, mesh);
+  if (ui.centre_now.is_valid()) show_face(ui, scene.pose());
+  if (!ui.flight_now.empty()) start_flight(ui.flight_now, scene.pose(), ui.now);
+  if (std::exchange(ui.wants_lit_in_view, false)) start_flight(ui.lit_faces, scene.pose(), ui.now);
 }
 
-void ModelView::start_flight(const UiState& ui, const Mesh& mesh) {
-  if (ui.lit_faces.empty()) return;
+void ModelView::show_face(const UiState& ui, const ModelPose& pose) {
+  const glm::dvec3 centre = pose.centre(ui.centre_now);
+  const glm::dvec3 normal = pose.normal(ui.centre_now);
+  const bool is_turned_away = glm::dot(normal, glm::normalize(camera_.eye() - centre)) < kGrazing;
+  if (!is_turned_away || !pose.is_model()) {
+    camera_.centre_on(centre);
+    return;
+  }
+  OrbitCamera goal = camera_;
+  goal.look_from(normal);
+  goal.centre_on(centre);
+  flight_.emplace(Flight{camera_, goal, ui.now});
+}
+
+void ModelView::start_flight(const std::vector<FaceId>& faces, const ModelPose& pose, double now) {
+  if (faces.empty()) return;
   Box3 box;
   glm::dvec3 outward(0);
-  for (const FaceId f : ui.lit_faces) {
-    for (const HalfedgeId h : mesh.halfedges(f)) box.add(mesh.position(h));
-    outward += mesh.normal(f) * mesh.area(f);
-  }
-  // Culprits all around have no side of their own: the first one, the worst, is shown then.
   double total = 0;
-  for (const FaceId f : ui.lit_faces) total += mesh.area(f);
-  if (glm::length(outward) < 0.2 * total) outward = mesh.normal(ui.lit_faces.front());
+  for (const FaceId f : faces) {
+    for (const HalfedgeId h : pose.mesh().halfedges(f)) box.add(pose.position(h));
+    outward += pose.normal(f) * pose.mesh().area(f);
+    total += pose.mesh().area(f);
+  }
+  // Faces all around have no side of their own: the first one, the worst, is shown then.
+  if (glm::length(outward) < 0.2 * total) outward = pose.normal(faces.front());
   OrbitCamera goal = camera_;
   goal.look_from(outward);
-  frame_model(goal, mesh, kShareOfView);
-  const double share = box.diagonal() / std::max(mesh.box().diagonal(), 1e-300);
+  frame_model(goal, pose.mesh(), kShareOfView);
+  const double share = box.diagonal() / std::max(pose.mesh().box().diagonal(), 1e-300);
   goal.centre_on(box.centre());
   goal.zoom(std::clamp(kLitShare / std::max(share, 1e-9), 1.0, kMostMagnified), goal.size_px() * 0.5);
-  flight_.emplace(Flight{camera_, goal, ui.now});
+  flight_.emplace(Flight{camera_, goal, now});
 }
 
 void ModelView::fly(UiState& ui, const Gesture& gesture) {
@@ -66,8 +78,8 @@ void ModelView::fly(UiState& ui, const Gesture& gesture) {
     flight_.reset();
     return;
   }
-  const double t = ui.is_motion_reduced ? 1 : (ui.now - flight_->since) / kFlightSeconds;
-  camera_ = t >= 1 ? flight_->to : OrbitCamera::between(flight_->from, flight_->to, eased(std::max(t, 0.0)));
+  const double t = ui.is_motion_reduced ? 1 : flight_share(ui.now - flight_->since);
+  camera_ = t >= 1 ? flight_->to : OrbitCamera::between(flight_->from, flight_->to, t);
   if (t >= 1) flight_.reset();
   ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
@@ -110,10 +122,11 @@ void ModelView::paint(const UiContext& context, const Scene& scene, Renderers& r
   if (scene.dual() == nullptr) return;
   MeshLook look;
   look.scale = ui.look.scale;
+  look.is_seen_through = ui.settings.is_xray;
   look.shows_materials = ui.settings.show_textures;
   renderers.mesh.draw(camera_, colours, scene.states(), look);
   if (scene.shown() != nullptr && scene.pose().is_model()) {
-    TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
+    TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale, ui.settings.is_xray};
     renderers.tree.draw_on_model(camera_, colours, tree);
   }
   renderers.overlay.draw_on_model(camera_, colours, ui.look.scale);
@@ -149,8 +162,8 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
   UiState& ui = context.ui;
   const std::string name = scene.dual() == nullptr ? "" : scene.dual()->mesh().name();
   view_header(context, "model", "Model", name, to_u32(palette_of(ui).background_top),
-              {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
-               ActionId::Frame});
+              {ActionId::ToggleXray, ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps,
+               ActionId::ToggleRoot, ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 size(room.x, room.y - fold_bar_height(ui));
@@ -168,7 +181,7 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
       .add(ui.look.colours.is_dark)
       .add(ui.look.scale);
   key.add(ui.settings.show_tree).add(ui.settings.show_root).add(ui.settings.show_textures);
-  key.add(renderers.overlay.version());
+  key.add(ui.settings.is_xray).add(renderers.overlay.version());
   key.add_bytes(scene.states().bits().data(), scene.states().size());
   renderers.model_picture.redraw({static_cast<int>(size.x), static_cast<int>(size.y)}, key,
                                  [&] { paint(context, scene, renderers); });

@@ -19,8 +19,10 @@ class ModelView {
 
  private:
   void follow_wishes(UiContext& context, const Scene& scene);
-  /// Turns the camera to the lit faces, on a short flight.
-  void start_flight(const UiState& ui, const Mesh& mesh);
+  /// Brings the wanted face to the middle, and to the front when it looks away.
+  void show_face(const UiState& ui, const ModelPose& pose);
+  /// Turns the camera to these faces, on a short flight.
+  void start_flight(const std::vector<FaceId>& faces, const ModelPose& pose, double now);
   void fly(UiState& ui, const Gesture& gesture);
   void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
   /// Faces that look this way and whose middle lies in the rubber band, unless something hides it.

@@ -6,6 +6,7 @@
 
 #include "assets/icons.h"
 #include "ui/legend.h"
+#include "ui/net_numbers.h"
 #include "ui/pointing.h"
 #include "ui/selection.h"
 #include "ui/status.h"
@@ -14,7 +15,9 @@
 namespace netwright {
 namespace {
 
-constexpr double kTooSmall = 0.55;  ///< a net that fills less of the view than this is framed again
+constexpr double kFlownToShare = 0.3;  ///< of the view, filled by faces that are flown to
+constexpr double kMostMagnified = 12;  ///< against the framed net, so that one still sees where one is
+constexpr double kTooSmall = 0.55;     ///< a net that fills less of the view than this is framed again
 
 /// While a search runs the net changes size at every move; following each would make the picture tremble.
 bool needs_framing(const PanZoomCamera& camera, const Box2& box) {
@@ -54,9 +57,32 @@ void NetView::follow_net(UiContext& context, const Scene& scene) {
   const bool is_due =
       is_asked || is_laid_anew || needs_framing(camera_, scene.net_box()) || (is_new && is_resting);
   if (is_due && !is_moved_by_user_) camera_.frame(scene.net_box(), ui.look.px(24));
+  if (!ui.flight_now.empty()) start_flight(ui.flight_now, *net, ui.now);
   if (!ui.centre_now.is_valid()) return;
   camera_.centre_on(net->box(ui.centre_now).centre());
   is_moved_by_user_ = true;
+}
+
+void NetView::start_flight(const std::vector<FaceId>& faces, const Net& net, double now) {
+  Box2 box;
+  for (const FaceId f : faces) box.add(net.box(f));
+  PanZoomCamera goal = camera_;
+  goal.approach(box, kFlownToShare, kMostMagnified);
+  flight_.emplace(Flight{camera_, goal, now});
+  is_moved_by_user_ = true;
+}
+
+void NetView::fly(UiState& ui, const Gesture& gesture) {
+  if (!flight_) return;
+  if (gesture.drag_button >= 0 || gesture.wheel != 0) {  // the hand comes first
+    flight_.reset();
+    return;
+  }
+  const double t = ui.is_motion_reduced ? 1 : flight_share(ui.now - flight_->since);
+  camera_ = t >= 1 ? flight_->to : PanZoomCamera::between(flight_->from, flight_->to, t);
+  camera_.set_size(flight_->to.size_px());
+  if (t >= 1) flight_.reset();
+  ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
 
 void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gesture) {
@@ -92,6 +118,16 @@ std::vector<FaceId> NetView::faces_in_band(const Net& net) const {
   return faces;
 }
 
+void NetView::show_numbers(const UiState& ui, const Scene& scene, ImVec2 corner) {
+  n_numbers_ = draw_numbers(ui, *scene.net(), scene.shown()->kinds, camera_, corner);
+  if (n_numbers_ > 0) return;
+  const char* text = "Zoom in to read the numbers";
+  const ImFont* font = ui.look.fonts.small;
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize,
+                                      ImVec2(corner.x + ui.look.px(16), corner.y + ui.look.px(4)),
+                                      ui.look.colours.text, text);
+}
+
 void NetView::paint(const UiContext& context, const Scene& scene, Renderers& renderers) {
   const UiState& ui = context.ui;
   const Palette& colours = palette_of(ui);
@@ -109,15 +145,17 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   UiState& ui = context.ui;
   const std::string state = scene.net() == nullptr ? "" : status_of(context.session).in_short;
   view_header(context, "net", "Net", state, to_u32(palette_of(ui).desk),
-              {ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot, ActionId::TogglePages,
-               ActionId::Frame});
+              {ActionId::ToggleNumbers, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
+               ActionId::TogglePages, ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 size(room.x, room.y - legend_height(ui));
   if (size.x < 1 || size.y < 1) return;
   camera_.set_size({size.x, size.y});
   follow_net(context, scene);
-  handle(context, scene, picture_gesture(ui, "net/picture", size));
+  const Gesture gesture = picture_gesture(ui, "net/picture", size);
+  fly(ui, gesture);
+  handle(context, scene, gesture);
   PictureKey key;
   key.add(camera_).add(scene.version()).add(ui.look.colours.is_dark).add(ui.look.scale);
   key.add(ui.settings.show_tree).add(ui.settings.show_root).add(renderers.overlay.version());
@@ -127,10 +165,11 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   const auto texture = reinterpret_cast<ImTextureID>(renderers.net_picture.texture());
   ImGui::GetWindowDrawList()->AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y),
                                        ImVec2(0, 1), ImVec2(1, 0));
+  if (ui.settings.show_numbers && scene.net() != nullptr) show_numbers(ui, scene, corner);
   band_.draw(ui, corner);
   if (scene.net() == nullptr && context.session.state() == RunState::Idle) draw_empty_desk(ui, corner, size);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
-  draw_legend(ui, scene.shown().get());
+  draw_legend(context, scene.shown().get());
 }
 
 }  // namespace netwright

@@ -2,6 +2,9 @@
 // pointer, click selects, double-click centres a face in both views.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "render/camera.h"
 #include "ui/rubber_band.h"
 #include "ui/scene.h"
@@ -14,16 +17,29 @@ class NetView {
   /// Draws header, picture and legend into the present ImGui window.
   void draw(UiContext& context, const Scene& scene, Renderers& renderers);
   [[nodiscard]] const PanZoomCamera& camera() const { return camera_; }
+  /// How many numbers of faces and edges were drawn in the last frame that showed them.
+  [[nodiscard]] int n_numbers() const { return n_numbers_; }
 
  private:
+  void start_flight(const std::vector<FaceId>& faces, const Net& net, double now);
+  void fly(UiState& ui, const Gesture& gesture);
   void follow_net(UiContext& context, const Scene& scene);
   void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
   /// Faces whose middle lies in the rubber band.
   [[nodiscard]] std::vector<FaceId> faces_in_band(const Net& net) const;
+  void show_numbers(const UiState& ui, const Scene& scene, ImVec2 corner);
   void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
 
+  struct Flight {
+    PanZoomCamera from;
+    PanZoomCamera to;
+    double since;  ///< on the clock of UiState::now
+  };
+
   PanZoomCamera camera_;
+  std::optional<Flight> flight_;
   RubberBand band_;
+  int n_numbers_ = 0;
   bool is_moved_by_user_ = false;  ///< then nets are no longer framed by themselves
   bool is_panning_ = false;        ///< a left drag that began on the empty desk
   std::uint64_t file_version_ = 0;

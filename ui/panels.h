@@ -15,6 +15,7 @@ void panel_model(UiContext& context);
 void panel_faces(UiContext& context);
 void panel_solve(UiContext& context);
 void panel_paper(UiContext& context);
+void panel_overlaps(UiContext& context);
 
 /// Overlaps over moves: a step line with axes; `stride` moves lie between two values.
 void overlap_chart(const UiState& ui, const std::vector<int>& history, std::int64_t stride, bool is_running);

@@ -102,6 +102,16 @@ void Scene::mark_faces(const UiContext& context) {
     states_.add(face, FaceState::Hovered);
     states_.add(face, FaceState::Selected);
   }
+  const bool is_gone = shown_ == nullptr ||
+                       (ui.shown_overlap && !std::binary_search(shown_->overlaps.begin(),
+                                                                shown_->overlaps.end(), *ui.shown_overlap));
+  if (is_gone) context.ui.shown_overlap.reset();
+  if (ui.shown_overlap) {
+    for (const FaceId face : {ui.shown_overlap->first, ui.shown_overlap->second}) {
+      states_.add(face, FaceState::Hovered);
+      states_.add(face, FaceState::Selected);
+    }
+  }
   if (ui.settings.show_root) {
     states_.add(context.session.project().pins.root, FaceState::Root);
     if (shown_ != nullptr) {

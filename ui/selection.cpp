@@ -75,9 +75,12 @@ void clear_selection(UiState& ui) {
   ui.selected_side = HalfedgeId();
   ui.selected_faces.clear();
   ui.selected_edges.clear();
+  ui.shown_overlap.reset();
 }
 
-bool has_selection(const UiState& ui) { return !ui.selected_faces.empty() || !ui.selected_edges.empty(); }
+bool has_selection(const UiState& ui) {
+  return !ui.selected_faces.empty() || !ui.selected_edges.empty() || ui.shown_overlap.has_value();
+}
 
 EdgeId hovered_edge(const UiState& ui, const Mesh& mesh) {
   return ui.hovered_side.is_valid() ? mesh.edge(ui.hovered_side) : EdgeId();

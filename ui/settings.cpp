@@ -17,21 +17,24 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kThemeNames{"system", "light", "dark"};
 constexpr std::array<std::string_view, 2> kUnitNames{"mm", "in"};
-constexpr std::array<std::string_view, kSections> kSectionNames{"model", "solve", "runs", "paper", "history"};
+constexpr std::array<std::string_view, kSections> kSectionNames{"model", "solve",   "runs",
+                                                                "paper", "history", "overlaps"};
 constexpr std::array<std::string_view, kFirstHints> kHintNames{"views", "runs"};
 
 struct Flag {
   std::string_view key;
   bool Settings::*value;
 };
-constexpr std::array<Flag, 8> kFlags{Flag{"side_panel", &Settings::is_side_open},
-                                     Flag{"show_tree", &Settings::show_tree},
-                                     Flag{"show_overlaps", &Settings::show_overlaps},
-                                     Flag{"show_root", &Settings::show_root},
-                                     Flag{"show_pages", &Settings::show_pages},
-                                     Flag{"show_textures", &Settings::show_textures},
-                                     Flag{"desktop_dialogs", &Settings::uses_desktop_dialogs},
-                                     Flag{"window_maximized", &Settings::is_maximized}};
+constexpr std::array<Flag, 10> kFlags{Flag{"side_panel", &Settings::is_side_open},
+                                      Flag{"show_tree", &Settings::show_tree},
+                                      Flag{"show_overlaps", &Settings::show_overlaps},
+                                      Flag{"show_root", &Settings::show_root},
+                                      Flag{"show_pages", &Settings::show_pages},
+                                      Flag{"show_numbers", &Settings::show_numbers},
+                                      Flag{"xray", &Settings::is_xray},
+                                      Flag{"show_textures", &Settings::show_textures},
+                                      Flag{"desktop_dialogs", &Settings::uses_desktop_dialogs},
+                                      Flag{"window_maximized", &Settings::is_maximized}};
 
 struct Number {
   std::string_view key;

@@ -14,8 +14,8 @@
 namespace netwright {
 
 /// The sections of the side panel.
-enum class Section { Model, Solve, Runs, Paper, History };
-inline constexpr std::size_t kSections = 5;
+enum class Section { Model, Solve, Runs, Paper, History, Overlaps };
+inline constexpr std::size_t kSections = 6;
 
 /// Hints for people who are new here; each goes away for good once it was closed or has done its work.
 enum class FirstHint { Views, Runs };
@@ -37,8 +37,10 @@ struct Settings {
   bool show_overlaps = true;
   bool show_root = true;
   bool show_pages = true;
+  bool is_xray = false;       ///< the model is seen through
+  bool show_numbers = false;  ///< of faces and edges, in the net
   bool show_textures = true;
-  std::array<bool, kSections> open_sections{false, true, true, true, false};
+  std::array<bool, kSections> open_sections{false, true, true, true, false, false};
   std::array<bool, kFirstHints> hints_done{};
   int window_width = 0;  ///< of the real window, in screen units; 0 = never seen
   int window_height = 0;

@@ -24,6 +24,17 @@ std::string paper_summary(const UiContext& c) {
   return sheets == nullptr ? format : std::to_string(sheets->size()) + " × " + format;
 }
 
+std::string overlaps_summary(const UiContext& c) {
+  const auto shown = c.session.shown();
+  return shown == nullptr ? "" : grouped(static_cast<std::int64_t>(shown->overlaps.size()));
+}
+
+/// A net without overlaps needs no list of them; the section is the last, so that it may come and go.
+bool has_overlaps(const UiContext& c) {
+  const auto shown = c.session.shown();
+  return shown != nullptr && !shown->overlaps.empty();
+}
+
 struct SectionLine {
   Section section;
   const char* title;
@@ -31,10 +42,11 @@ struct SectionLine {
   void (*body)(UiContext&);
 };
 
-constexpr std::array<SectionLine, 3> kSectionLines{
+constexpr std::array<SectionLine, 4> kSectionLines{
     SectionLine{Section::Model, "Model", model_summary, panel_model},
     SectionLine{Section::Solve, "Solve", solve_summary, panel_solve},
-    SectionLine{Section::Paper, "Paper", paper_summary, panel_paper}};
+    SectionLine{Section::Paper, "Paper", paper_summary, panel_paper},
+    SectionLine{Section::Overlaps, "Overlaps", overlaps_summary, panel_overlaps}};
 
 void line_below(const UiState& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -49,6 +61,7 @@ void side_panel(UiContext& context) {
   UiState& ui = context.ui;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), 0));
   for (const SectionLine& line : kSectionLines) {
+    if (line.section == Section::Overlaps && !has_overlaps(context)) continue;
     bool& is_open = ui.settings.is_open(line.section);
     if (section_header(ui, line.title, line.summary(context), is_open)) is_open = !is_open;
     if (is_open) {

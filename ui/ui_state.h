@@ -11,6 +11,7 @@
 
 #include "core/base/ids.h"
 #include "core/project/session.h"
+#include "ui/overlap_list.h"
 #include "ui/settings.h"
 #include "ui/theme.h"
 #include "ui/widget_log.h"
@@ -53,6 +54,8 @@ struct UiState {
   std::optional<std::size_t> lit_line;
   std::vector<FaceId> lit_faces;
   Folding folding;
+  OverlapList overlaps;
+  std::optional<Overlap> shown_overlap;  ///< lit in both views; gone with the mesh
   std::string hint;  ///< what the thing under the pointer does; rebuilt every frame
 
   Dialog dialog = Dialog::None;
@@ -70,6 +73,8 @@ struct UiState {
   bool wants_home = false;
   FaceId wants_centre;  ///< becomes centre_now at the next frame, for both views alike
   FaceId centre_now;
+  std::vector<FaceId> wants_flight;  ///< becomes flight_now at the next frame: both views fly to these faces
+  std::vector<FaceId> flight_now;
   float faces_slider_width = 0;    ///< of the simplify slider
   bool is_dragging_faces = false;  ///< the simplify slider is held: nothing around it may jump
   bool wants_lit_in_view = false;  ///< fly to lit_faces

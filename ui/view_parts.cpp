@@ -10,6 +10,7 @@
 namespace netwright {
 namespace {
 
+constexpr double kFlightSeconds = 0.18;
 constexpr float kClickSlack = 4;  ///< how far a hand trembles while it clicks, in design pixels
 
 }  // namespace
@@ -108,6 +109,11 @@ void frame_model(OrbitCamera& camera, const Mesh& mesh, double share) {
     const glm::dvec2 room = camera.size_px() * share / glm::max(seen.size(), glm::dvec2(1));
     camera.zoom(std::min(room.x, room.y), middle);
   }
+}
+
+double flight_share(double seconds) {
+  const double t = std::clamp(seconds / kFlightSeconds, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
 }
 
 std::string face_text(FaceId face) { return "Face " + std::to_string(face.value + 1); }

@@ -46,6 +46,9 @@ Gesture picture_gesture(const UiState& ui, const std::string& name, ImVec2 size)
 /// Turns the camera's distance and centre so that the model fills this share of the view as it is seen now.
 void frame_model(OrbitCamera& camera, const Mesh& mesh, double share);
 
+/// How much of a flight of the camera is done after so many seconds: 0…1, slow at both ends.
+double flight_share(double seconds);
+
 /// "Face 123", as people count: from 1.
 std::string face_text(FaceId face);
 

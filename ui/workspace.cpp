@@ -122,6 +122,7 @@ void Workspace::draw(Session& session, UiState& ui) {
   const HalfedgeId side_before = ui.hovered_side;
   take_messages(context);
   ui.centre_now = std::exchange(ui.wants_centre, FaceId());
+  ui.flight_now = std::exchange(ui.wants_flight, {});
   scene_.update(context, renderers_);
   ui.hint.clear();
   ui.hovered = FaceId();
