@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 #include <sstream>
@@ -34,6 +35,29 @@ constexpr const char* kBenchFooter =
     "OUT gets a tab-separated row per run as soon as it is over, and the table as comments at its end. "
     "Stopped\n"
     "and started again with the same options, bench goes on behind the last whole row in OUT.";
+
+/// How many characters it shows; all of them are one column wide.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// What is read, and what is kept of it.
+std::string formats_help() {
+  const auto rows = model_format_table();
+  std::array<std::size_t, 7> widths{};
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < widths.size(); ++c) widths[c] = std::max(widths[c], width_of(row[c]));
+  }
+  std::string text = "Model files and what is kept of them:\n";
+  for (const auto& row : rows) {
+    std::string line = " ";
+    for (std::size_t c = 0; c < widths.size(); ++c)
+      line += " " + row[c] + std::string(widths[c] - width_of(row[c]) + 1, ' ');
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
 
 std::string model_help(const std::string& words) {
   std::string text = words + ":";
@@ -95,7 +119,7 @@ class Reader {
                           "Print the version and exit");
     app_.set_help_flag("-h,--help", "Print this help and exit");
     app_.require_subcommand(1);
-    app_.footer(kFooter);
+    app_.footer(formats_help() + "\n" + kFooter);
     add_unfold();
     add_verify();
     add_info();

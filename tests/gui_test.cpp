@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/mesh/formats.h"
 #include "tests/gui_support.h"
 #include "tests/support.h"
 #include "ui/actions.h"
@@ -290,6 +291,22 @@ double colourfulness(Gui& gui) {
       sum += high - low;
     }
   return sum / n;
+}
+
+TEST(Gui, TellsWhichFormatsCanBeOpened) {
+  Gui gui;
+  gui.key('O', kControl);
+  gui.frames(4);
+  EXPECT_FALSE(gui.widgets.find("formats/3DS").has_value());
+  gui.click("dialog/formats");
+  gui.frames(4);
+  for (const ModelFormat& format : model_formats())
+    EXPECT_TRUE(gui.widgets.find("formats/" + std::string(format.label)).has_value()) << format.label;
+  const WidgetRect title = gui.rect("dialog/title");
+  gui.click("dialog/title");
+  gui.frames(4);
+  EXPECT_FALSE(gui.widgets.find("formats/3DS").has_value()) << "a click beside it closes it";
+  EXPECT_EQ(gui.rect("dialog/title").min.x, title.min.x) << "the dialog stays";
 }
 
 TEST(Gui, ShowsTheModelsOwnLooksWhileTheyAreOn) {

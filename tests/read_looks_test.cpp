@@ -178,6 +178,19 @@ TEST(LooksOfPly, AreTheMeanOfThePointsColours) {
   EXPECT_TRUE(is_coloured(material_of(soup, 1), {170, 0, 85}));
 }
 
+TEST(LooksOfPly, ArePicturesNamedInAComment) {
+  const std::string text =
+      "ply\nformat ascii 1.0\ncomment TextureFile wood.png\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nproperty float s\nproperty float t\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0 0.1 0.2\n1 0 0 0.9 0.2\n1 1 0 0.9 0.7\n3 0 "
+      "1 2\n";
+  const PolygonSoup soup = read_soup_bytes("a.ply", text, files({{"wood.png", png(66)}}));
+  ASSERT_TRUE(material_of(soup, 0).texture);
+  EXPECT_EQ(material_of(soup, 0).texture->rgba[0], 66);
+  ASSERT_EQ(soup.corner_uv.size(), 3U);
+  EXPECT_LT(glm::length(soup.corner_uv[2] - glm::dvec2(0.9, 0.7)), 1e-6);
+}
+
 TEST(LooksOfOff, AreTheColoursOfFaces) {
   const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   const PolygonSoup soup = read_soup_bytes(

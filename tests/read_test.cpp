@@ -172,6 +172,18 @@ TEST(ModelFormats, ListEachExtensionOnce) {
   EXPECT_FALSE(is_model_path("obj"));
 }
 
+TEST(ModelFormats, StandInTheReadmeAsInTheTable) {
+  std::string table;
+  for (const auto& row : model_format_table()) {
+    std::string line = "|";
+    for (const std::string& cell : row) line += " " + cell + " |";
+    table += line + "\n";
+    if (table == line + "\n") table += "|---|---|---|---|---|---|---|\n";
+  }
+  const std::string readme = testing::read_file(std::filesystem::path(NETWRIGHT_SOURCE) / "README.md");
+  EXPECT_NE(readme.find("\n" + table + "\n"), std::string::npos) << "README.md wants this table:\n" << table;
+}
+
 TEST(Samples, ReadAndAreFit) {
   int n_models = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kSamples)) {

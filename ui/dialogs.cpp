@@ -134,6 +134,8 @@ void Dialogs::draw_open(UiContext& context) {
   if (!begin_window(ui, 720, 520)) return;
   const float height = ImGui::GetContentRegionAvail().y - ui.look.px(44);
   auto chosen = browser_.draw(ui, height);
+  ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ui.look.px(48));
+  draw_formats(ui);
   if (footer(context, {"Open", browser_.can_accept()}) && !chosen) chosen = browser_.accept();
   if (chosen) {
     context.session.open(*chosen);

@@ -23,6 +23,7 @@ class Dialogs {
   void begin(UiContext& context);
   void finish(UiContext& context);
   void draw_open(UiContext& context);
+  void draw_formats(const UiState& ui) const;  // dialog_formats.cpp
   void choose_format(UiState& ui);
   void draw_export(UiContext& context);
   void draw_keys(UiContext& context);

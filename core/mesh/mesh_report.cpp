@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/base/predicates.h"
+#include "core/mesh/formats.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/repair_findings.h"
 #include "core/mesh/repair_topology.h"
@@ -227,11 +228,9 @@ UnitGuess guess_unit(const PolygonSoup& soup) {
   constexpr UnitGuess kMillimetres{"mm", 1};
   constexpr UnitGuess kCentimetres{"cm", 10};
   constexpr UnitGuess kMetres{"m", 1000};
-  const std::size_t dot = soup.name.rfind('.');
-  std::string extension = dot == std::string::npos ? "" : soup.name.substr(dot + 1);
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == "stl" || extension == "3mf") return kMillimetres;
-  if (extension == "gltf" || extension == "glb") return kMetres;
+  const ModelFormat* format = model_format(std::filesystem::path(soup.name));
+  if (format != nullptr && format->unit == "mm") return kMillimetres;
+  if (format != nullptr && format->unit == "m") return kMetres;
   const glm::dvec3 size = repair::used_box(soup).size();
   const double longest = std::max({size.x, size.y, size.z});
   if (longest >= 20) return kMillimetres;

@@ -61,29 +61,7 @@ namespace {
 
 using readers::refuse;
 
-enum class Kind { Obj, Gltf, Stl, Ply, Off, ThreeMf, Dae, ThreeDs };
-
-constexpr std::array<std::string_view, 1> kObj{"obj"};
-constexpr std::array<std::string_view, 2> kGltf{"glb", "gltf"};
-constexpr std::array<std::string_view, 1> kStl{"stl"};
-constexpr std::array<std::string_view, 1> kPly{"ply"};
-constexpr std::array<std::string_view, 1> kOff{"off"};
-constexpr std::array<std::string_view, 1> kThreeMf{"3mf"};
-constexpr std::array<std::string_view, 1> kDae{"dae"};
-constexpr std::array<std::string_view, 1> kThreeDs{"3ds"};
-
-/// In the order of Kind.
-constexpr std::array<ModelFormat, 8> kFormats{{
-    {"Wavefront OBJ", kObj, UpAxis::Y, "materials and textures"},
-    {"glTF", kGltf, UpAxis::Y, "materials and textures"},
-    {"STL", kStl, UpAxis::Z, ""},
-    {"PLY", kPly, UpAxis::Z, ""},
-    {"OFF", kOff, UpAxis::Z, ""},
-    {"3MF", kThreeMf, UpAxis::Z, ""},
-    // Reading turns these two: Collada files by what they say of themselves, 3DS files from z up to y up.
-    {"Collada", kDae, UpAxis::Y, ""},
-    {"3DS", kThreeDs, UpAxis::Y, ""},
-}};
+using Kind = ModelKind;
 
 // Far above any model made for paper; reading more would take the machine's memory before anyone could say
 // so.
@@ -92,27 +70,9 @@ constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{256} << 20;
 // Squares and volumes of coordinates must stay within a double's range (1e308), so must their reciprocals.
 constexpr double kMaxCoordinate = 1e75;
 
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
-}
-
-std::optional<Kind> kind_by_extension(const std::string& extension) {
-  for (std::size_t i = 0; i < kFormats.size(); ++i) {
-    if (std::ranges::find(kFormats[i].extensions, extension) != kFormats[i].extensions.end()) {
-      return static_cast<Kind>(i);
-    }
-  }
-  return std::nullopt;
-}
-
 std::string known_extensions() {
   std::string list;
-  for (const ModelFormat& format : kFormats) {
+  for (const ModelFormat& format : model_formats()) {
     for (const std::string_view extension : format.extensions) {
       list += (list.empty() ? "." : ", .") + std::string(extension);
     }
@@ -191,24 +151,24 @@ Kind kind_of(const std::string& name, std::string_view bytes) {
     refuse(name, "this is " + std::string(stranger) +
                      ", not a model in a format that can be read; open one of " + known_extensions() + ".");
   }
-  const std::string extension = extension_of(name);
+  const ModelFormat* named = model_format(std::filesystem::path(name));
   if (bytes.starts_with("PK\x03\x04")) {
-    if (extension == "3mf") return Kind::ThreeMf;
+    if (named != nullptr && named->kind == Kind::ThreeMf) return Kind::ThreeMf;
     refuse(name, "this is a zip archive; unpack it and open the model inside.");
   }
   if (const auto kind = kind_by_content(bytes)) return *kind;
-  const auto kind = kind_by_extension(extension);
-  if (!kind) {
+  if (named == nullptr) {
     refuse(name,
            "this is no model in a format that can be read; export it as one of " + known_extensions() + ".");
   }
   const bool has_nul = bytes.substr(0, 4096).find('\0') != std::string_view::npos;
-  const bool has_a_mark = *kind == Kind::ThreeMf || *kind == Kind::Dae || *kind == Kind::ThreeDs;
-  if (has_a_mark || (*kind == Kind::Obj && has_nul)) {
-    const std::string label(kFormats[static_cast<std::size_t>(*kind)].label);
+  const bool has_a_mark =
+      named->kind == Kind::ThreeMf || named->kind == Kind::Dae || named->kind == Kind::ThreeDs;
+  if (has_a_mark || (named->kind == Kind::Obj && has_nul)) {
+    const std::string label(named->label);
     refuse(name, "its content is not that of a " + label + " file; export the model again.");
   }
-  return *kind;
+  return named->kind;
 }
 
 PolygonSoup read_kind(Kind kind, const std::string& name, std::string_view bytes,
@@ -227,7 +187,7 @@ PolygonSoup read_kind(Kind kind, const std::string& name, std::string_view bytes
     case Kind::ThreeDs:
       break;
   }
-  const ModelFormat& format = kFormats[static_cast<std::size_t>(kind)];
+  const ModelFormat& format = model_format(kind);
   return readers::read_in_child(name, bytes, std::string(format.extensions.front()), companions);
 }
 
@@ -321,12 +281,6 @@ std::string model_bytes(const std::string& name, const std::filesystem::path& pa
 
 }  // namespace
 
-std::span<const ModelFormat> model_formats() { return kFormats; }
-
-bool is_model_path(const std::filesystem::path& path) {
-  return kind_by_extension(extension_of(path)).has_value();
-}
-
 PolygonSoup read_soup_bytes(const std::string& name, std::string_view bytes,
                             const CompanionLookup& companions) {
   const Kind kind = kind_of(name, bytes);
@@ -335,7 +289,7 @@ PolygonSoup read_soup_bytes(const std::string& name, std::string_view bytes,
   soup.name = readers::readable(name);
   for (std::string& notice : soup.notices) notice = readers::readable(notice);
   for (Material& material : soup.materials) material.name = readers::readable(material.name);
-  soup.up_axis = kFormats[static_cast<std::size_t>(kind)].up_axis;
+  soup.up_axis = model_format(kind).up_axis;
   check_soup(name, soup);
   clean_colours(soup);
   clean_uv(soup);

@@ -1,30 +1,17 @@
 // Reads model files: picks a reader by content, then by extension, and hands back what the file holds as a
-// PolygonSoup. The one table of formats that dialogs, command line and README show is here too.
+// PolygonSoup.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
+#include "core/mesh/formats.h"
 #include "core/mesh/soup.h"
 
 namespace netwright {
-
-struct ModelFormat {
-  std::string_view label;                        ///< "Wavefront OBJ"
-  std::span<const std::string_view> extensions;  ///< lower case without the dot, the usual one first
-  UpAxis up_axis;
-  std::string_view keeps;  ///< what is read besides shapes: "materials and textures" or ""
-};
-
-/// Every format that can be read, the most common one first.
-std::span<const ModelFormat> model_formats();
-
-/// True when the path's extension (any case) is one of a format above.
-bool is_model_path(const std::filesystem::path& path);
 
 /// Finds a file that a model refers to (material library, picture, buffer) by the name written in the model;
 /// empty when there is none.
