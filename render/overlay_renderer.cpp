@@ -15,8 +15,8 @@ Colour full(Colour colour) {
   return colour;
 }
 
-std::array<LineStyle, 7> overlay_styles(const Palette& palette, float strength) {
-  std::array<LineStyle, 7> styles;
+std::array<LineStyle, 10> overlay_styles(const Palette& palette, float strength) {
+  std::array<LineStyle, 10> styles;
   const auto set = [&](OverlayStyle style, Colour colour, float width_px) {
     colour.a *= strength;
     styles[static_cast<std::size_t>(style)] = {colour, width_px, {}, false};
@@ -25,6 +25,9 @@ std::array<LineStyle, 7> overlay_styles(const Palette& palette, float strength) 
   set(OverlayStyle::Selected, palette.selection, 4);
   set(OverlayStyle::Partner, palette.hover_edge, 1.8F);
   set(OverlayStyle::Culprit, full(palette.overlap), 4);
+  set(OverlayStyle::PinnedFold, palette.pinned_fold, 3.5F);
+  set(OverlayStyle::PinnedCut, palette.pinned_cut, 3.5F);
+  set(OverlayStyle::Patch, palette.patch, 3);
   set(OverlayStyle::Measured, palette.measure, 2);
   set(OverlayStyle::Dot, palette.measure, 7);
   set(OverlayStyle::Rim, palette.measure_rim, 10);

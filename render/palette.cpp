@@ -16,6 +16,9 @@ Palette meanings() {
   p.chosen = rgb(0xC026D3, 0.62F);
   p.climbed = rgb(0xE879F9, 0.28F);
   p.candidate = rgb(0xD61FD6);
+  p.pinned_fold = rgb(0x0F9D6B);
+  p.pinned_cut = rgb(0xE07A00);
+  p.patch = rgb(0x7C3AED);
   p.measure = rgb(0x0B7A75);
   p.measure_rim = rgb(0xFFFFFF);
   return p;

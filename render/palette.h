@@ -49,7 +49,10 @@ struct Palette {
   Colour chosen;      ///< the face a move starts from
   Colour climbed;     ///< the path climbed by a move
   Colour candidate;   ///< cuts the climb could have turned into folds
-  Colour measure;     ///< what the measuring tool draws
+  Colour pinned_fold;
+  Colour pinned_cut;
+  Colour patch;    ///< outline of faces that stay together
+  Colour measure;  ///< what the measuring tool draws
   Colour measure_rim;
 };
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "assets/icons.h"
+#include "ui/pinning.h"
 #include "ui/selection.h"
 
 namespace netwright {
@@ -16,6 +17,7 @@ constexpr int kShiftBit = 1;
 constexpr int kControlBit = 2;
 constexpr int kSpaceKey = 32;
 constexpr int kEscapeKey = 256;
+constexpr int kDeleteKey = 261;
 constexpr int kHomeKey = 268;
 constexpr int kF1Key = 290;
 constexpr double kToastSeconds = 5;
@@ -135,6 +137,11 @@ std::string needs_net(const UiContext& c) {
   return c.session.shown() == nullptr ? "Unfold the model first (Space)." : "";
 }
 
+std::string needs_still_net(const UiContext& c) {
+  const std::string reason = needs_net(c);
+  return reason.empty() && is_busy(c) ? "A search is running: wait for it or stop it (Esc)." : reason;
+}
+
 constexpr double kFoldStep = 0.05;
 
 void play_fold(UiContext& c) {
@@ -220,7 +227,7 @@ const auto kActions = std::to_array<Action>({
      needs_more_faces, [](UiContext& c) { c.session.simplify_to(kUsualFaces, false); }, nullptr, nullptr},
     {ActionId::AllFaces, "All faces", "", {}, "Takes the simplification back", needs_simplified,
      [](UiContext& c) { c.session.simplify_to(0, false); }, nullptr, nullptr},
-    {ActionId::CentreFace, "Centre the face", icon::kFrame, {'C', 0}, "Brings the face to the middle of both views",
+    {ActionId::CentreFace, "Centre the face", icon::kFrame, {'V', 0}, "Brings the face to the middle of both views",
      needs_face, [](UiContext& c) { c.ui.wants_centre = chosen_face(c); }, nullptr, nullptr},
     {ActionId::ClearSelection, "Clear selection", "", {}, "Lets go of the selected faces and edges", needs_selection,
      [](UiContext& c) { clear_selection(c.ui); }, nullptr, nullptr},
@@ -232,8 +239,22 @@ const auto kActions = std::to_array<Action>({
      stop_or_skip, nullptr, nullptr},
     {ActionId::NewSeed, "New seed", icon::kSeed, {'N', 0}, "Searches again with the next seed", needs_model,
      [](UiContext& c) { c.session.new_seed(); }, nullptr, nullptr},
+    {ActionId::UnfoldFromHere, "Unfold from here", icon::kReplay, {kSpaceKey, kShiftBit},
+     "Starts from the net as it is and changes only what overlaps and pins ask for", needs_still_net,
+     [](UiContext& c) { c.session.unfold_from_here(); }, nullptr, nullptr},
     {ActionId::PinRoot, "Pin root", icon::kRoot, {'R', 0}, "Layout and tree start at this face",
      needs_face_or_pin, pin_root, nullptr, root_label},
+    {ActionId::MustFold, "Must fold", icon::kPin, {'G', 0}, "The edge is a fold in every net from now on", why_no_edge_pin,
+     [](UiContext& c) { pin_edges(c, EdgePin::MustFold); }, nullptr, must_fold_label},
+    {ActionId::MustCut, "Must cut", icon::kCut, {'C', 0}, "The edge is a cut in every net from now on", why_no_edge_pin,
+     [](UiContext& c) { pin_edges(c, EdgePin::MustCut); }, nullptr, must_cut_label},
+    {ActionId::KeepTogether, "Keep together", icon::kLocked, {'K', 0},
+     "The selected faces stay one patch, joined by folds among themselves", why_no_patch, keep_faces_together,
+     nullptr, patch_label},
+    {ActionId::ClearPins, "Clear pins", icon::kUnpin, {kDeleteKey, 0}, "Frees the edges and faces of their pins",
+     why_no_clearing, clear_pins, nullptr, nullptr},
+    {ActionId::ClearAllPins, "Clear all pins", "", {}, "Frees the whole model of its pins", why_nothing_pinned,
+     clear_all_pins, nullptr, nullptr},
     {ActionId::SkipReplay, "Skip the replay", icon::kSkip, {}, "Shows the finished net at once", needs_replay,
      [](UiContext& c) { c.session.skip_replay(); }, nullptr, nullptr},
     {ActionId::Frame, "Frame all", icon::kFullscreen, {'F', 0}, "Fits model and net into their views", needs_model,
@@ -285,6 +306,7 @@ std::string shortcut_text(const Shortcut& shortcut) {
   if (shortcut.key == kSpaceKey) return text + "Space";
   if (shortcut.key == kEscapeKey) return text + "Esc";
   if (shortcut.key == kHomeKey) return text + "Home";
+  if (shortcut.key == kDeleteKey) return text + "Del";
   if (shortcut.key == kF1Key) return text + "?";
   if (shortcut.key > kF1Key && shortcut.key <= kF1Key + 11)
     return text + "F" + std::to_string(shortcut.key - kF1Key + 1);

@@ -29,8 +29,9 @@ bool has_kind(const ShownNet& shown, EdgeKind kind) {
 }
 
 void add_pins(const Constraints& pins, const Palette& p, std::vector<Entry>& entries) {
-  if (!pins.must_fold.empty()) entries.push_back({"must fold", Mark::Icon, p.tree, {}, icon::kPin});
-  if (!pins.must_cut.empty()) entries.push_back({"must cut", Mark::Icon, p.cut, {}, icon::kCut});
+  if (!pins.must_fold.empty()) entries.push_back({"must fold", Mark::Line, p.pinned_fold});
+  if (!pins.must_cut.empty()) entries.push_back({"must cut", Mark::Line, p.pinned_cut});
+  if (!pins.together.empty()) entries.push_back({"patch", Mark::Line, p.patch});
 }
 
 /// While single moves are watched the moves are the topic, not the folds.

@@ -136,8 +136,11 @@ float draw_menu_bar(UiContext& context) {
     plain_menu(context, {ActionId::CentreFace, ActionId::ClearSelection});
   });
   menu("Solve", [&] {
-    plain_menu(context, {ActionId::Unfold, ActionId::Step, ActionId::Stop, ActionId::NewSeed,
-                         ActionId::PinRoot, ActionId::SkipReplay});
+    plain_menu(context, {ActionId::Unfold, ActionId::UnfoldFromHere, ActionId::Step, ActionId::Stop,
+                         ActionId::NewSeed, ActionId::SkipReplay});
+    ImGui::Separator();
+    plain_menu(context, {ActionId::PinRoot, ActionId::MustFold, ActionId::MustCut, ActionId::KeepTogether,
+                         ActionId::ClearPins, ActionId::ClearAllPins});
   });
   menu("View", [&] { view_menu(context); });
   menu("Help", [&] { plain_menu(context, {ActionId::Keys, ActionId::About}); });

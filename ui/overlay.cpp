@@ -2,6 +2,7 @@
 // that one sees which side it belongs to.
 #include "ui/overlay.h"
 
+#include <algorithm>
 #include <array>
 
 #include "ui/selection.h"
@@ -33,6 +34,17 @@ void add_edge(const Target& to, EdgeId e, OverlayStyle style) {
   }
 }
 
+void add_pins(const Target& to, const Constraints& pins) {
+  const Mesh& mesh = to.pose.mesh();
+  for (const std::vector<FaceId>& patch : pins.together)
+    for (const FaceId f : patch)
+      for (const HalfedgeId h : mesh.halfedges(f))
+        if (!std::binary_search(patch.begin(), patch.end(), mesh.neighbour(h)))
+          add_edge(to, mesh.edge(h), OverlayStyle::Patch);
+  for (const EdgeId e : pins.must_fold) add_edge(to, e, OverlayStyle::PinnedFold);
+  for (const EdgeId e : pins.must_cut) add_edge(to, e, OverlayStyle::PinnedCut);
+}
+
 /// From the middle of a cut's side to the middle of its other side.
 void add_curve(const Target& to, EdgeId e) {
   const Mesh& mesh = to.pose.mesh();
@@ -60,9 +72,13 @@ void add_curve(const Target& to, EdgeId e) {
 }  // namespace
 
 OverlayLines overlay_of(const UiState& ui, const ModelPose& pose, const Net* net,
-                        const IdVector<EdgeId, EdgeKind>* kinds) {
+                        const IdVector<EdgeId, EdgeKind>* kinds, const Constraints& pins,
+                        const Contradiction* contradiction) {
   OverlayLines lines;
   const Target to{pose, net, kinds, lines};
+  add_pins(to, pins);
+  if (contradiction != nullptr)
+    for (const EdgeId e : contradiction->edges) add_edge(to, e, OverlayStyle::Culprit);
   const EdgeId hovered = hovered_edge(ui, pose.mesh());
   std::size_t n_curves = 0;
   for (const EdgeId e : ui.selected_edges) {

@@ -1,5 +1,5 @@
-// What is pointed out over both views in this frame: hovered and selected edges, and for cuts the way from
-// one side to the other.
+// What is pointed out over both views in this frame: pins and those that contradict each other, hovered and
+// selected edges, and for cuts the way from one side to the other.
 #pragma once
 
 #include "render/model_pose.h"
@@ -10,6 +10,7 @@ namespace netwright {
 
 /// `net`: as it is drawn, with the kinds of its edges; both null when there is none.
 OverlayLines overlay_of(const UiState& ui, const ModelPose& pose, const Net* net,
-                        const IdVector<EdgeId, EdgeKind>* kinds);
+                        const IdVector<EdgeId, EdgeKind>* kinds, const Constraints& pins,
+                        const Contradiction* contradiction);
 
 }  // namespace netwright

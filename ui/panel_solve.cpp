@@ -82,6 +82,7 @@ void panel_solve(UiContext& context) {
   seed_row(context);
   streams_row(context);
   time_limit_row(context);
+  panel_pins(context);
   const RunFigures figures = context.session.figures();
   if (figures.history.empty()) return;
   ImGui::Dummy(ImVec2(0, ui.look.px(4)));

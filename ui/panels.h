@@ -14,6 +14,8 @@ void panel_model(UiContext& context);
 /// How many faces: part of the model's section.
 void panel_faces(UiContext& context);
 void panel_solve(UiContext& context);
+/// Part of the search's section; nothing where nothing is pinned.
+void panel_pins(UiContext& context);
 void panel_paper(UiContext& context);
 void panel_overlaps(UiContext& context);
 

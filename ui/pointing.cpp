@@ -20,7 +20,8 @@ void take_pointer(UiContext& context, const Pointed& pointed, const Gesture& ges
   ui.hovered = pointed.face;
   ui.hovered_side = pointed.side;
   if (pointed.side.is_valid()) {
-    ui.hint = edge_text(context.session, mesh.edge(pointed.side), ui.settings.unit) + " · click selects";
+    ui.hint = edge_text(context.session, mesh.edge(pointed.side), ui.settings.unit) +
+              " · click selects · G must fold · C must cut";
   } else if (pointed.face.is_valid()) {
     ui.hint = face_text(pointed.face) + " · click selects · R makes it the root · double-click centres it";
   } else {

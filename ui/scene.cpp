@@ -163,7 +163,8 @@ void Scene::take_pose(const UiContext& context, Renderers& renderers) {
   folded_.update(context.ui, own, dual_->mesh().up_axis());
   renderers.mesh.set_pose(folded_.corners(), folded_.version(), kinds, version_);
   if (!context.ui.folding.is_playing) model_picker_.set_pose(folded_.corners(), folded_.version());
-  renderers.overlay.set_lines(overlay_of(context.ui, pose(), own == nullptr ? nullptr : net(), kinds));
+  renderers.overlay.set_lines(overlay_of(context.ui, pose(), own == nullptr ? nullptr : net(), kinds,
+                                         context.session.project().pins, context.session.contradiction()));
 }
 
 }  // namespace netwright

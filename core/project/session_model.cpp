@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/mesh/mesh_report.h"
+#include "core/project/carry_pins.h"
 #include "core/project/commands.h"
 #include "core/project/session_impl.h"
 
@@ -138,6 +139,8 @@ bool Session::Impl::take_made() {
   const bool was_running = run != nullptr;
   end_replay();
   discard_run();
+  const CarriedPins carried = carry_pins(project().pins, project().dual->mesh(), made->model->dual->mesh());
+  if (carried.n_lost > 0) say(Message::Kind::Notice, carried.sentence());
   Project next = remake(project(), making.recipe, made->model);
   if (making.continues_step) {
     history.amend(std::move(next));
