@@ -8,20 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "assets/icons.h"
 #include "ui/view_parts.h"
 
 namespace netwright {
 namespace {
 
-enum class Mark { Line, Dot, Fill, Hatch, Icon };
+enum class Mark { Line, Dot, Fill, Hatch };
 
 struct Entry {
   std::string label;
   Mark mark = Mark::Line;
   Colour colour{0};
   std::vector<float> dash = {};  ///< ink, gap … in design pixels; empty = solid
-  const char* sign = "";         ///< of an icon
 };
 
 bool has_kind(const ShownNet& shown, EdgeKind kind) {
@@ -122,12 +120,6 @@ void draw_swatch(const UiState& ui, const Entry& entry, ImVec2 min, ImVec2 max) 
   } else if (entry.mark == Mark::Dot) {
     draw.AddCircleFilled(middle, ui.look.px(4.5F), to_u32(entry.colour), 16);
     draw.AddCircle(middle, ui.look.px(4.5F), to_u32(palette_of(ui).root_rim), 16, 1.5F * ui.look.scale);
-  } else if (entry.mark == Mark::Icon) {
-    const ImFont* font = ui.look.fonts.text;
-    const float size = ui.look.px(13);
-    const ImVec2 extent = font->CalcTextSizeA(size, FLT_MAX, 0, entry.sign);
-    draw.AddText(font, size, ImVec2(std::floor(middle.x - extent.x / 2), std::floor(middle.y - extent.y / 2)),
-                 to_u32(entry.colour), entry.sign);
   } else if (entry.mark == Mark::Fill) {
     draw.AddRectFilled(min, max, to_u32(entry.colour), ui.look.px(2));
   } else {
