@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "assets/icons.h"
+#include "ui/measure.h"
 #include "ui/pinning.h"
 #include "ui/selection.h"
 
@@ -158,6 +159,12 @@ std::string play_label(const UiContext& c) {
   return goes_up ? "Fold up" : "Fold flat";
 }
 
+void toggle_measure(UiContext& c) {
+  const bool was_on = c.ui.measuring.is_on;
+  c.ui.measuring = Measuring();
+  c.ui.measuring.is_on = !was_on;
+}
+
 void fold_by(UiContext& c, double step) {
   c.ui.folding.is_playing = false;
   c.ui.folding.amount = std::clamp(c.ui.folding.amount + step, 0.0, 1.0);
@@ -261,6 +268,8 @@ const auto kActions = std::to_array<Action>({
      frame_all, nullptr, nullptr},
     {ActionId::Home, "Home view", icon::kHome, {kHomeKey, 0}, "Looks at the model as at first", needs_model,
      [](UiContext& c) { c.ui.wants_home = true; frame_all(c); }, nullptr, nullptr},
+    {ActionId::Measure, "Measure", icon::kRuler, {'D', 0}, "Measures distances and angles in both views, in printed size",
+     needs_model, toggle_measure, [](const UiContext& c) { return c.ui.measuring.is_on; }, nullptr},
     {ActionId::ToggleTextures, "Textures", icon::kTexture, {}, "Shows the model's own colours and pictures",
      needs_looks, toggle<&Settings::show_textures>, is_set<&Settings::show_textures>, nullptr},
     {ActionId::PlayFold, "Fold up and down", icon::kPlay, {'U', 0}, "Folds the net up to the model, or back to the flat net",
@@ -349,6 +358,11 @@ bool run_shortcut(UiContext& context, const Shortcut& pressed) {
   const Shortcut wanted = canonical(pressed);
   for (const Action& candidate : kActions) {
     if (candidate.shortcut.key == 0 || candidate.shortcut != wanted) continue;
+    // The tool in hand is what Esc gets rid of first.
+    if (candidate.id == ActionId::Stop && context.ui.measuring.is_on) {
+      end_measure(context.ui);
+      return true;
+    }
     // Esc is also how people get out of things; pressing it once too often is no mistake to be told about.
     const bool is_idle_escape = candidate.id == ActionId::Stop && !is_possible(context, ActionId::Stop);
     if (is_idle_escape) {

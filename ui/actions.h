@@ -42,6 +42,7 @@ enum class ActionId {
   PlayFold,
   FoldLess,
   FoldMore,
+  Measure,
   ToggleTextures,
   ToggleTree,
   ToggleOverlaps,

@@ -82,7 +82,8 @@ void scale_menu(UiContext& context) {
 void view_menu(UiContext& context) {
   for (const ActionId id : {ActionId::Frame, ActionId::Home}) entry(context, id);
   ImGui::Separator();
-  for (const ActionId id : {ActionId::PlayFold, ActionId::FoldLess, ActionId::FoldMore}) entry(context, id);
+  for (const ActionId id : {ActionId::PlayFold, ActionId::FoldLess, ActionId::FoldMore, ActionId::Measure})
+    entry(context, id);
   ImGui::Separator();
   for (const ActionId id :
        {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,

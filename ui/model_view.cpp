@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ui/fold_bar.h"
+#include "ui/measure.h"
 #include "ui/pointing.h"
 #include "ui/selection.h"
 #include "ui/widgets.h"
@@ -99,6 +100,12 @@ void ModelView::handle(UiContext& context, const Scene& scene, const Gesture& ge
   if (!gesture.is_hovered || gesture.drag_button >= 0) return;
   if (scene.dual() == nullptr || ui.folding.is_playing) return;
   const Pointed pointed = point_at(scene.model_picker(), scene.pose(), camera_, pointer, edge_reach(ui));
+  if (ui.measuring.is_on) {
+    const PaperPoint point =
+        paper_point(pointed, *scene.dual(), scene.pose(), camera_, pointer, edge_reach(ui), !gesture.is_free);
+    take_measure(context, point, gesture, scene.net());
+    return;
+  }
   take_pointer(context, pointed, gesture, "Drag turns · right drag moves · wheel zooms · F shows all");
 }
 
@@ -130,6 +137,16 @@ void ModelView::paint(const UiContext& context, const Scene& scene, Renderers& r
     renderers.tree.draw_on_model(camera_, colours, tree);
   }
   renderers.overlay.draw_on_model(camera_, colours, ui.look.scale);
+}
+
+void ModelView::draw_measured(const UiContext& context, const Scene& scene, ImVec2 corner) const {
+  PaperPoint from;
+  PaperPoint to;
+  if (scene.dual() == nullptr || !measured_points(context.ui.measuring, from, to)) return;
+  const glm::dvec3 a = place_in_space(*scene.dual(), scene.pose(), from);
+  const glm::dvec3 b = place_in_space(*scene.dual(), scene.pose(), to);
+  draw_measure_label(context, distance_on_model(*scene.dual(), from, to), glm::dvec2(camera_.project(a)),
+                     glm::dvec2(camera_.project(b)), corner);
 }
 
 void ModelView::draw_axes(const UiState& ui, const Mesh& mesh, ImVec2 corner, ImVec2 size) const {
@@ -190,6 +207,7 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
   draw_list.AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y), ImVec2(0, 1),
                      ImVec2(1, 0));
   band_.draw(ui, corner);
+  draw_measured(context, scene, corner);
   if (scene.dual() != nullptr) draw_axes(ui, scene.dual()->mesh(), corner, size);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
   draw_fold_bar(context);

@@ -28,6 +28,7 @@ class ModelView {
   /// Faces that look this way and whose middle lies in the rubber band, unless something hides it.
   [[nodiscard]] std::vector<FaceId> faces_in_band(const Scene& scene) const;
   void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
+  void draw_measured(const UiContext& context, const Scene& scene, ImVec2 corner) const;
   void draw_axes(const UiState& ui, const Mesh& mesh, ImVec2 corner, ImVec2 size) const;
 
   struct Flight {

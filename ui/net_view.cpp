@@ -6,6 +6,7 @@
 
 #include "assets/icons.h"
 #include "ui/legend.h"
+#include "ui/measure.h"
 #include "ui/net_numbers.h"
 #include "ui/pointing.h"
 #include "ui/selection.h"
@@ -107,6 +108,12 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
     is_moved_by_user_ = true;
   }
   if (!gesture.is_hovered || gesture.drag_button >= 0) return;
+  if (ui.measuring.is_on) {
+    const PaperPoint point =
+        paper_point(pointed, *scene.net(), camera_, pointer, edge_reach(ui), !gesture.is_free);
+    take_measure(context, point, gesture, scene.net());
+    return;
+  }
   take_pointer(context, pointed, gesture, "Drag moves · wheel zooms · F shows all");
 }
 
@@ -126,6 +133,17 @@ void NetView::show_numbers(const UiState& ui, const Scene& scene, ImVec2 corner)
   ImGui::GetWindowDrawList()->AddText(font, font->FontSize,
                                       ImVec2(corner.x + ui.look.px(16), corner.y + ui.look.px(4)),
                                       ui.look.colours.text, text);
+}
+
+void NetView::draw_measured(const UiContext& context, const Scene& scene, ImVec2 corner) const {
+  PaperPoint from;
+  PaperPoint to;
+  const Net* net = scene.net();
+  if (net == nullptr || !measured_points(context.ui.measuring, from, to)) return;
+  if (net->piece[from.face] != net->piece[to.face]) return;
+  const glm::dvec2 a = place_in_net(*net, from);
+  const glm::dvec2 b = place_in_net(*net, to);
+  draw_measure_label(context, glm::distance(a, b), camera_.to_pixel(a), camera_.to_pixel(b), corner);
 }
 
 void NetView::paint(const UiContext& context, const Scene& scene, Renderers& renderers) {
@@ -167,6 +185,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
                                        ImVec2(0, 1), ImVec2(1, 0));
   if (ui.settings.show_numbers && scene.net() != nullptr) show_numbers(ui, scene, corner);
   band_.draw(ui, corner);
+  draw_measured(context, scene, corner);
   if (scene.net() == nullptr && context.session.state() == RunState::Idle) draw_empty_desk(ui, corner, size);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
   draw_legend(context, scene.shown().get());

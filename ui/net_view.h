@@ -28,6 +28,7 @@ class NetView {
   /// Faces whose middle lies in the rubber band.
   [[nodiscard]] std::vector<FaceId> faces_in_band(const Net& net) const;
   void show_numbers(const UiState& ui, const Scene& scene, ImVec2 corner);
+  void draw_measured(const UiContext& context, const Scene& scene, ImVec2 corner) const;
   void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
 
   struct Flight {

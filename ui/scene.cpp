@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/sheet/pages.h"
+#include "ui/measure.h"
 #include "ui/overlay.h"
 #include "ui/selection.h"
 
@@ -140,6 +141,7 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     ui.hovered_side = HalfedgeId();
     clear_selection(ui);
     ui.folding = Folding();
+    ui.measuring = Measuring();
     ui.lit_line.reset();
     ui.lit_faces.clear();
   }
@@ -160,11 +162,14 @@ void Scene::take_pose(const UiContext& context, Renderers& renderers) {
   // While another mesh is on its way, the net may still be that of the one before.
   const ShownNet* own = shown_ != nullptr && shown_->net.dual == dual_ ? shown_.get() : nullptr;
   const auto* kinds = own == nullptr ? nullptr : &own->kinds;
+  const Net* drawn = own == nullptr ? nullptr : net();
   folded_.update(context.ui, own, dual_->mesh().up_axis());
   renderers.mesh.set_pose(folded_.corners(), folded_.version(), kinds, version_);
   if (!context.ui.folding.is_playing) model_picker_.set_pose(folded_.corners(), folded_.version());
-  renderers.overlay.set_lines(overlay_of(context.ui, pose(), own == nullptr ? nullptr : net(), kinds,
-                                         context.session.project().pins, context.session.contradiction()));
+  OverlayLines lines = overlay_of(context.ui, pose(), drawn, kinds, context.session.project().pins,
+                                  context.session.contradiction());
+  add_measure(context.ui.measuring, *dual_, pose(), drawn, lines);
+  renderers.overlay.set_lines(std::move(lines));
 }
 
 }  // namespace netwright

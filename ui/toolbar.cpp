@@ -20,7 +20,7 @@ struct BarItem {
   const char* label = "";  ///< shorter than the action's own
 };
 
-constexpr std::array<BarItem, 13> kBar{BarItem{Item::Action, ActionId::Open, "Open"},
+constexpr std::array<BarItem, 14> kBar{BarItem{Item::Action, ActionId::Open, "Open"},
                                        BarItem{Item::Separator},
                                        BarItem{Item::IconOnly, ActionId::Undo},
                                        BarItem{Item::IconOnly, ActionId::Redo},
@@ -32,6 +32,7 @@ constexpr std::array<BarItem, 13> kBar{BarItem{Item::Action, ActionId::Open, "Op
                                        BarItem{Item::Speed},
                                        BarItem{Item::Separator},
                                        BarItem{Item::Action, ActionId::PinRoot, "Root"},
+                                       BarItem{Item::IconOnly, ActionId::Measure},
                                        BarItem{Item::Action, ActionId::ExportPdf, "Print"}};
 
 const char* unfold_icon(const UiContext& context) {
@@ -58,6 +59,7 @@ ButtonSpec spec_of(const UiContext& context, const BarItem& item, bool has_label
   spec.is_enabled = is_possible(context, item.id);
   if (is_main) spec.kind = ButtonKind::Accent;
   if (is_pin && context.session.project().pins.root.is_valid()) spec.kind = ButtonKind::On;
+  if (wanted.is_on != nullptr && wanted.is_on(context)) spec.kind = ButtonKind::On;
   // The main button changes its word while it is watched; its neighbours must not jump.
   if (is_main && has_labels) spec.width = context.ui.look.px(104);
   return spec;

@@ -27,6 +27,21 @@ struct Folding {
   bool goes_up = false;  ///< where it plays, and played last
 };
 
+/// A point of the paper: on a face, in the face's own flat frame.
+struct PaperPoint {
+  FaceId face;
+  glm::dvec2 flat{0};
+  HalfedgeId side;  ///< the edge it was snapped to; invalid for corners and free points
+  [[nodiscard]] bool is_valid() const { return face.is_valid(); }
+};
+
+/// The measuring tool.
+struct Measuring {
+  bool is_on = false;
+  PaperPoint hovered;
+  std::vector<PaperPoint> points;  ///< clicked: none, one or two
+};
+
 struct Toast {
   std::string text;
   bool is_good = true;
@@ -54,6 +69,7 @@ struct UiState {
   std::optional<std::size_t> lit_line;
   std::vector<FaceId> lit_faces;
   Folding folding;
+  Measuring measuring;
   OverlapList overlaps;
   std::optional<Overlap> shown_overlap;  ///< lit in both views; gone with the mesh
   std::string hint;  ///< what the thing under the pointer does; rebuilt every frame

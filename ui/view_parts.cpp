@@ -90,6 +90,7 @@ Gesture picture_gesture(const UiState& ui, const std::string& name, ImVec2 size)
   gesture.is_clicked = ImGui::IsItemDeactivated() && gesture.is_hovered && ImGui::IsMouseReleased(0) &&
                        io.MouseDragMaxDistanceSqr[0] < slack * slack;
   gesture.is_adding = io.KeyShift;
+  gesture.is_free = io.KeyCtrl;
   if (gesture.is_hovered) gesture.wheel = io.MouseWheel;
   return gesture;
 }

@@ -38,6 +38,7 @@ struct Gesture {
   ImVec2 drag;              ///< since the last frame
   float wheel = 0;
   bool is_adding = false;  ///< Shift is held: adds to the selection
+  bool is_free = false;    ///< Ctrl is held: nothing snaps
 };
 
 /// An invisible button over the picture, named for tests; the cursor must stand at its corner.
