@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "core/mesh/read.h"
+#include "core/project/project_file.h"
 #include "ui/actions.h"
+#include "ui/leave.h"
 #include "ui/status.h"
 
 namespace netwright {
@@ -28,7 +30,8 @@ double steady_seconds() {
 
 std::string window_title(const Session& session) {
   if (!session.has_model()) return "Netwright";
-  return session.project().dual->mesh().name() + " – " + status_of(session).in_short + " – Netwright";
+  return (session.is_modified() ? "• " : "") + project_name(session) + " – " + status_of(session).in_short +
+         " – Netwright";
 }
 
 Application::Application(Window& window, Session::Clock clock, std::filesystem::path settings_file)
@@ -43,6 +46,8 @@ Application::Application(Window& window, Session::Clock clock, std::filesystem::
 
 Application::~Application() {
   session_.set_wake({});
+  // Only who quits in order has been asked about unsaved changes; after anything else they can be recovered.
+  if (ui_.wants_quit) session_.give_up_changes();
   if (!settings_file_.empty() && !(ui_.settings == saved_settings_))
     save_settings(ui_.settings, settings_file_);
 }
@@ -56,8 +61,10 @@ double Application::wait_seconds() const {
 
 void Application::open_dropped(const std::vector<std::filesystem::path>& paths) {
   if (paths.empty()) return;
-  const auto model = std::find_if(paths.begin(), paths.end(), is_model_path);
-  session_.open(model == paths.end() ? paths.front() : *model);
+  const auto is_known = [](const auto& path) { return is_model_path(path) || has_project_name(path); };
+  const auto known = std::find_if(paths.begin(), paths.end(), is_known);
+  UiContext context{session_, ui_};
+  open_file(context, known == paths.end() ? paths.front() : *known);
 }
 
 void Application::handle(const WindowEvent& event) {
@@ -72,9 +79,11 @@ void Application::handle(const WindowEvent& event) {
     case WindowEvent::Kind::Drop:
       open_dropped(event.paths);
       break;
-    case WindowEvent::Kind::Close:
-      ui_.wants_quit = true;
+    case WindowEvent::Kind::Close: {
+      UiContext context{session_, ui_};
+      ask_to_quit(context);
       break;
+    }
     case WindowEvent::Kind::MouseButton:
     case WindowEvent::Kind::MouseMove:
     case WindowEvent::Kind::Scroll:
@@ -91,7 +100,7 @@ void Application::update_title() {
 }
 
 void Application::remember_model() {
-  const auto& path = session_.project().path;
+  const auto& path = session_.file().empty() ? session_.project().path : session_.file();
   if (path == known_model_) return;
   known_model_ = path;
   if (!path.empty()) remember(ui_.settings, path);
@@ -99,6 +108,7 @@ void Application::remember_model() {
 
 void Application::draw() {
   ui_.now = clock_();
+  session_.set_autosave_minutes(ui_.settings.autosave_minutes);
   needs_draw_ = false;
   if (ui_.frames_wanted > 0) --ui_.frames_wanted;
   if (workspace_.update_look(ui_, window_.content_scale())) window_.refresh_fonts();

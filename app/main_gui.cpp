@@ -14,15 +14,16 @@
 #include "app/application.h"
 #include "app/window_headless.h"
 #include "core/base/error.h"
+#include "ui/recovery.h"
 
 namespace {
 
 using namespace netwright;
 
 constexpr std::string_view kHelp =
-    "netwright [MODEL]\n"
-    "    opens the editor, with a model when one is named\n"
-    "netwright --screenshot OUT.png [--size WxH] [--solve] [MODEL]\n"
+    "netwright [MODEL | PROJECT]\n"
+    "    opens the editor, with a model or project when one is named\n"
+    "netwright --screenshot OUT.png [--size WxH] [--solve] [MODEL | PROJECT]\n"
     "    draws the window without a display and quits\n"
     "\n"
     "  --solve          searches for a net to the end before the picture is taken\n"
@@ -127,9 +128,13 @@ void settle(Application& application) {
     if (application.session().state() == RunState::Replaying) application.session().skip_replay();
     application.turn(0.02);
   }
-  const auto shown = application.session().shown();
-  while (shown != nullptr && shown->is_proved && application.session().sheets() == nullptr)
-    application.turn(0.02);
+  const auto lacks_sheets = [&] {
+    const Session& session = application.session();
+    const auto shown = session.shown();
+    const bool is_coming = session.project().tree != nullptr && (shown == nullptr || shown->is_proved);
+    return is_coming && session.sheets() == nullptr && application.ui().error.empty();
+  };
+  while (lacks_sheets()) application.turn(0.02);
 }
 
 int take_screenshot(const Options& options) {
@@ -159,6 +164,7 @@ int take_screenshot(const Options& options) {
 int run_editor(const Options& options) {
   const auto window = open_window({"Netwright", options.size});
   Application application(*window, steady_clock(), settings_path());
+  if (const auto folder = state_folder(); !folder.empty()) application.session().keep_changes_in(folder);
   apply_options(application, options);
   application.run();
   return 0;

@@ -211,6 +211,20 @@ TEST(Autosave, KeepsChangesWithinAMinuteAndOnlyThen) {
   EXPECT_EQ(load_project(kept(folder / "state").front()).project.size.height_mm, 50);
 }
 
+TEST(Autosave, WaitsAsLongAsItWasToldAndForEver) {
+  const TemporaryFolder folder;
+  Editor editor(folder / "state");
+  editor.session.set_autosave_minutes(3);
+  editor.open(shapes::cube());
+  editor.set_height(50);
+  editor.let_a_minute_pass();
+  EXPECT_NEAR(editor.session.wait_seconds(), 120 - 1, 1e-9);
+  editor.session.set_autosave_minutes(0);
+  for (int i = 0; i < 5; ++i) editor.let_a_minute_pass();
+  EXPECT_TRUE(kept(folder / "state").empty());
+  EXPECT_EQ(editor.session.wait_seconds(), std::numeric_limits<double>::infinity());
+}
+
 TEST(Autosave, KeepsEveryFinishedRunAtOnce) {
   const TemporaryFolder folder;
   Editor editor(folder / "state");

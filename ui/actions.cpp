@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "assets/icons.h"
+#include "ui/leave.h"
 #include "ui/measure.h"
 #include "ui/pinning.h"
 #include "ui/selection.h"
@@ -31,6 +32,15 @@ bool is_busy(const UiContext& c) {
 std::string always(const UiContext& /*c*/) { return {}; }
 
 std::string needs_model(const UiContext& c) { return c.session.has_model() ? "" : "Open a model first."; }
+
+std::string needs_unsaved(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  return c.session.is_modified() || c.session.file().empty() ? "" : "Everything is saved.";
+}
+
+std::string needs_leftovers(const UiContext& c) {
+  return c.session.leftovers().empty() ? "There is no unsaved work to recover." : "";
+}
 
 std::string needs_sheets(const UiContext& c) {
   if (!c.session.has_model()) return "Open a model first.";
@@ -209,8 +219,14 @@ bool is_set(const UiContext& c) {
 
 // clang-format off
 const auto kActions = std::to_array<Action>({
-    {ActionId::Open, "Open…", icon::kOpen, {'O', kControlBit}, "Opens a model file", always,
+    {ActionId::Open, "Open…", icon::kOpen, {'O', kControlBit}, "Opens a model or a project", always,
      [](UiContext& c) { c.ui.dialog = Dialog::Open; }, nullptr, nullptr},
+    {ActionId::Save, "Save", icon::kSave, {'S', kControlBit}, "Saves model, net and settings as a project",
+     needs_unsaved, save_project_of, nullptr, nullptr},
+    {ActionId::SaveAs, "Save as…", "", {'S', kControlBit | kShiftBit}, "Saves the project under another name",
+     needs_model, [](UiContext& c) { c.ui.dialog = Dialog::Save; }, nullptr, nullptr},
+    {ActionId::Recover, "Recover unsaved work…", "", {}, "Opens what was not saved before Netwright ended",
+     needs_leftovers, [](UiContext& c) { c.ui.dialog = Dialog::Recover; }, nullptr, nullptr},
     {ActionId::ExportPdf, "Export PDF…", icon::kPrint, {'P', kControlBit}, "Writes the pages for the printer",
      needs_sheets, [](UiContext& c) { ask_export(c, "pdf"); }, nullptr, nullptr},
     {ActionId::ExportSvg, "SVG drawing…", icon::kExportDrawing, {}, "Writes a drawing with named layers",
@@ -220,7 +236,7 @@ const auto kActions = std::to_array<Action>({
     {ActionId::ExportFold, "FOLD file…", icon::kExport, {}, "Writes the net for origami programs",
      needs_sheets, [](UiContext& c) { ask_export(c, "fold"); }, nullptr, nullptr},
     {ActionId::Quit, "Quit", "", {'Q', kControlBit}, "Closes Netwright", always,
-     [](UiContext& c) { c.ui.wants_quit = true; }, nullptr, nullptr},
+     ask_to_quit, nullptr, nullptr},
     {ActionId::Undo, "Undo", icon::kUndo, {'Z', kControlBit}, "Takes the last change back", needs_undo,
      [](UiContext& c) { c.session.undo(); }, nullptr, undo_label},
     {ActionId::Redo, "Redo", icon::kRedo, {'Y', kControlBit}, "Makes the change again", needs_redo,

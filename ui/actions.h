@@ -12,6 +12,9 @@ namespace netwright {
 
 enum class ActionId {
   Open,
+  Save,
+  SaveAs,
+  Recover,
   ExportPdf,
   ExportSvg,
   ExportPng,

@@ -7,18 +7,21 @@
 #include <utility>
 
 #include "core/mesh/read.h"
+#include "core/project/project_file.h"
 #include "core/sheet/write.h"
 #include "ui/actions.h"
+#include "ui/leave.h"
 #include "ui/widgets.h"
 
 namespace netwright {
 namespace {
 
-constexpr std::array<const char*, 6> kTitles{
-    "", "Open a model", "Export the net", "Keys and mouse", "About Netwright", "Repair"};
+constexpr std::array<const char*, 9> kTitles{
+    "",       "Open a model or project", "Export the net",    "Keys and mouse",      "About Netwright",
+    "Repair", "Save the project",        "Save the changes?", "Recover unsaved work"};
 
 std::vector<std::string> readable_extensions() {
-  std::vector<std::string> all;
+  std::vector<std::string> all{std::string(kProjectExtension)};
   for (const ModelFormat& format : model_formats()) {
     for (const std::string_view extension : format.extensions) all.emplace_back(extension);
   }
@@ -39,6 +42,14 @@ void key_line(const UiState& ui, const std::string& keys, const std::string& wha
   ImGui::PopFont();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(what.c_str());
+}
+
+/// What comes up by itself.
+Dialog due_dialog(const UiContext& context) {
+  if (context.ui.leaving && !context.ui.leaves_when_saved) return Dialog::Unsaved;
+  if (context.session.pending() != nullptr) return Dialog::Repair;
+  if (!context.ui.has_offered_recovery && !context.session.leftovers().empty()) return Dialog::Recover;
+  return Dialog::None;
 }
 
 }  // namespace
@@ -65,6 +76,7 @@ void Dialogs::begin(UiContext& context) {
                     file_stem(context.session) + "." + ui.export_extension,
                     {ui.export_extension}});
   }
+  if (present_ == Dialog::Save) begin_save(context);
   if (present_ == Dialog::Repair) {
     ui.error.clear();
     repair_height_ = 0;
@@ -138,8 +150,8 @@ void Dialogs::draw_open(UiContext& context) {
   draw_formats(ui);
   if (footer(context, {"Open", browser_.can_accept()}) && !chosen) chosen = browser_.accept();
   if (chosen) {
-    context.session.open(*chosen);
     finish(context);
+    open_file(context, *chosen);
   }
   ImGui::EndPopup();
 }
@@ -221,8 +233,12 @@ void Dialogs::draw_about(UiContext& context) {
 }
 
 void Dialogs::draw(UiContext& context) {
-  if (context.ui.dialog == Dialog::None && context.session.pending() != nullptr)
-    context.ui.dialog = Dialog::Repair;
+  watch_leaving(context);
+  if (context.ui.dialog == Dialog::None) context.ui.dialog = due_dialog(context);
+  // Someone closes the window: what is open there has to make room for the question.
+  const bool is_in_the_way =
+      present_ != Dialog::None && present_ != Dialog::Unsaved && present_ != Dialog::Save;
+  if (is_in_the_way && context.ui.leaving && !finish_recovery_) is_cancelled_ = true;
   if (context.ui.dialog != Dialog::None && present_ == Dialog::None) begin(context);
   switch (present_) {
     case Dialog::None:
@@ -242,10 +258,20 @@ void Dialogs::draw(UiContext& context) {
     case Dialog::Repair:
       draw_repair(context);
       break;
+    case Dialog::Save:
+      draw_save(context);
+      break;
+    case Dialog::Unsaved:
+      draw_unsaved(context);
+      break;
+    case Dialog::Recover:
+      draw_recover(context);
+      break;
   }
   // Closed from outside (Esc): ImGui took the popup down.
   if (present_ != Dialog::None && !ImGui::IsPopupOpen(kTitles[static_cast<std::size_t>(present_)])) {
     if (present_ == Dialog::Repair) context.session.drop_pending();
+    if (present_ == Dialog::Save || present_ == Dialog::Unsaved) context.ui.leaving = nullptr;
     context.ui.dialog = present_ = Dialog::None;
   }
   is_cancelled_ = is_accepted_ = false;

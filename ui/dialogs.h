@@ -1,10 +1,11 @@
-// The modal dialogs: open a model, export, keys, about, and what to do with a broken file. Which one is up
-// stands in UiState::dialog.
+// The modal dialogs: open, save and export, keys, about, what to do with a broken file, with unsaved changes
+// and with work that can be recovered. Which one is up stands in UiState::dialog.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
+#include "render/gl_objects.h"
 #include "ui/file_browser.h"
 
 namespace netwright {
@@ -32,6 +33,12 @@ class Dialogs {
   void draw_repair(UiContext& context);
   void draw_flattening(UiContext& context);
   void draw_choices(UiContext& context, bool can_flatten);
+  // dialog_project.cpp
+  void begin_save(const UiContext& context);
+  void draw_save(UiContext& context);
+  void draw_unsaved(UiContext& context);
+  void draw_recover(UiContext& context);
+  void draw_leftover(UiContext& context, const Leftover& leftover, std::size_t index);
   bool begin_window(const UiState& ui, float width, float height, const std::string& title = "") const;
   /// What stands at the bottom: a notice at the left, Cancel (where there is something to cancel) and the
   /// main button at the right.
@@ -49,7 +56,9 @@ class Dialogs {
   bool is_cancelled_ = false;
   bool is_accepted_ = false;
   std::filesystem::path export_folder_;
-  float repair_height_ = 0;  ///< of the text about a broken file, as it was drawn last
+  std::vector<Texture> pictures_;  ///< of the work that can be recovered
+  bool finish_recovery_ = false;   ///< one was chosen
+  float repair_height_ = 0;        ///< of the text about a broken file, as it was drawn last
 };
 
 /// The model's name as a file name: without folder and extension.

@@ -10,6 +10,7 @@
 #include "core/mesh/dual_graph.h"
 #include "core/mesh/repair.h"
 #include "ui/actions.h"
+#include "ui/leave.h"
 #include "ui/samples.h"
 #include "ui/status.h"
 #include "ui/view_parts.h"
@@ -157,7 +158,8 @@ void EmptyState::sample_cards(UiContext& context, const Renderers& renderers, fl
     const std::size_t line_number = i / kColumns;
     const auto line = static_cast<float>(line_number);
     ImGui::SetCursorScreenPos(ImVec2(start.x + column * (size.x + gap), start.y + line * (size.y + gap)));
-    if (card(context, i, size, renderers)) open_sample(context.session, samples()[i]);
+    if (card(context, i, size, renderers))
+      leave(context, [i](UiContext& c) { open_sample(c.session, samples()[i]); });
   }
 }
 
@@ -169,7 +171,7 @@ void EmptyState::recent_files(UiContext& context) {
     ButtonSpec spec{"recent/" + file.filename().string(), file.filename().string(), icon::kRecent,
                     file.string()};
     if (listed > 1) ImGui::SameLine();
-    if (button(ui, spec)) context.session.open(file);
+    if (button(ui, spec)) open_file(context, file);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/actions.h"
 #include "ui/frame_parts.h"
+#include "ui/leave.h"
 #include "ui/samples.h"
 #include "ui/widgets.h"
 
@@ -26,7 +27,7 @@ void recent_menu(UiContext& context) {
   const auto recent = context.ui.settings.recent;
   if (recent.empty() || !ImGui::BeginMenu("Recent")) return;
   for (const auto& file : recent) {
-    if (ImGui::MenuItem(file.filename().c_str())) context.session.open(file);
+    if (ImGui::MenuItem(file.filename().c_str())) open_file(context, file);
     tooltip(context.ui, file.string());
   }
   ImGui::EndMenu();
@@ -39,11 +40,16 @@ void file_menu(UiContext& context) {
   note_widget(context.ui, "menu/Samples");
   if (is_open) {
     for (const Sample& sample : samples()) {
-      if (ImGui::MenuItem(std::string(sample.title).c_str())) open_sample(context.session, sample);
+      if (ImGui::MenuItem(std::string(sample.title).c_str()))
+        leave(context, [&sample](UiContext& c) { open_sample(c.session, sample); });
       note_widget(context.ui, "menu/Samples/" + std::string(sample.title));
     }
     ImGui::EndMenu();
   }
+  entry(context, ActionId::Recover);
+  ImGui::Separator();
+  entry(context, ActionId::Save);
+  entry(context, ActionId::SaveAs);
   ImGui::Separator();
   entry(context, ActionId::ExportPdf);
   if (ImGui::BeginMenu("Export as")) {
@@ -102,7 +108,7 @@ void plain_menu(UiContext& context, std::initializer_list<ActionId> ids) {
 
 void title_at_right(UiContext& context) {
   if (!context.session.has_model()) return;
-  const std::string& name = context.session.project().dual->mesh().name();
+  const std::string name = (context.session.is_modified() ? "• " : "") + project_name(context.session);
   const float width = ImGui::CalcTextSize(name.c_str()).x;
   const float left = ImGui::GetWindowWidth() - width - context.ui.look.px(16);
   if (left < ImGui::GetCursorPosX()) return;

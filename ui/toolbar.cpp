@@ -20,7 +20,8 @@ struct BarItem {
   const char* label = "";  ///< shorter than the action's own
 };
 
-constexpr std::array<BarItem, 14> kBar{BarItem{Item::Action, ActionId::Open, "Open"},
+constexpr std::array<BarItem, 15> kBar{BarItem{Item::Action, ActionId::Open, "Open"},
+                                       BarItem{Item::IconOnly, ActionId::Save},
                                        BarItem{Item::Separator},
                                        BarItem{Item::IconOnly, ActionId::Undo},
                                        BarItem{Item::IconOnly, ActionId::Redo},

@@ -18,7 +18,7 @@
 
 namespace netwright {
 
-enum class Dialog { None, Open, Export, Keys, About, Repair };
+enum class Dialog { None, Open, Export, Keys, About, Repair, Save, Unsaved, Recover };
 
 /// How far the net is folded up in the model's view.
 struct Folding {
@@ -48,6 +48,8 @@ struct Toast {
   double until = 0;  ///< on the clock of UiState::now
 };
 
+struct UiContext;
+
 struct UiState {
   Look look;
   Settings settings;
@@ -76,6 +78,11 @@ struct UiState {
 
   Dialog dialog = Dialog::None;
   std::string export_extension = "pdf";  ///< preset of the export dialog
+
+  /// What waits until the question about unsaved changes is answered; empty when nothing does.
+  std::function<void(UiContext&)> leaving;
+  bool leaves_when_saved = false;     ///< it goes on when the save in hand is done
+  bool has_offered_recovery = false;  ///< once a start; later the menu has it
 
   std::string error;  ///< on the bar above the views; empty when there is none
   std::deque<Toast> toasts;

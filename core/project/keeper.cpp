@@ -93,7 +93,7 @@ void Keeper::take_autosave(double now, std::vector<News>& news) {
   if (!written) return;
   const std::shared_ptr<Job> done = std::exchange(keeping_, nullptr);
   if (!written->fault.empty()) {
-    due_ = now + kAutosaveSeconds;
+    due_ = now + autosave_s_;
     if (!std::exchange(has_complained_, true))
       news.push_back(
           {false, false, "Changes cannot be kept while you work, so save often: " + written->fault});
@@ -128,7 +128,7 @@ std::vector<Keeper::News> Keeper::poll(const Project& project, double now) {
   take_save(project, news);
   take_autosave(now, news);
   if (folder_.empty() || keeping_ || saving_) return news;
-  if (!is_modified(project)) {
+  if (!is_modified(project) || autosave_s_ <= 0) {
     if (slot_ && kept_) slot_->clear();
     kept_.reset();
     due_.reset();
@@ -139,7 +139,7 @@ std::vector<Keeper::News> Keeper::poll(const Project& project, double now) {
     due_.reset();
     return news;
   }
-  if (!due_) due_ = now + kAutosaveSeconds;
+  if (!due_) due_ = now + autosave_s_;
   if (is_urgent_ || now >= *due_) begin_autosave(project, news);
   return news;
 }

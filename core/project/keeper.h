@@ -19,7 +19,7 @@ namespace netwright {
 
 class Keeper {
  public:
-  /// Changes are kept at most this many seconds after they were made.
+  /// Changes are kept at most this many seconds after they were made, unless told otherwise.
   static constexpr double kAutosaveSeconds = 60;
 
   /// What poll() has to tell; `good` is about a save that worked.
@@ -51,6 +51,8 @@ class Keeper {
   /// From now on unsaved changes are kept in this folder.
   void set_folder(std::filesystem::path folder) { folder_ = std::move(folder); }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  /// How long changes may wait to be kept; 0 = they never are.
+  void set_autosave(double seconds) { autosave_s_ = seconds; }
   /// Keep the changes at once instead of within a minute: something was made that took time.
   void hurry() { is_urgent_ = true; }
   /// The editor is about to be closed and nobody wants what is unsaved: nothing is left to recover.
@@ -92,6 +94,7 @@ class Keeper {
   std::optional<std::filesystem::path> next_save_;
 
   std::filesystem::path folder_;
+  double autosave_s_ = kAutosaveSeconds;
   std::shared_ptr<AutosaveSlot> slot_;
   std::optional<Project> kept_;  ///< as it is in the slot
   std::shared_ptr<Job> keeping_;

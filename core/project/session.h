@@ -165,6 +165,8 @@ class Session {
   // Never losing work: with a folder for it, unsaved changes are kept there within a minute and after every
   // run, until they are saved or given up. What an editor that died has left there can be recovered.
   void keep_changes_in(const std::filesystem::path& folder);
+  /// How many minutes changes may wait for that, 1 unless told otherwise; 0 = they are not kept at all.
+  void set_autosave_minutes(int minutes);
   /// As found when the folder was named, newest first; without those recovered or discarded since.
   [[nodiscard]] const std::vector<Leftover>& leftovers() const;
   void recover(const std::filesystem::path& leftover);

@@ -12,7 +12,8 @@ using Kind = Message::Kind;
 }  // namespace
 
 void Session::Impl::take_stored(const StoredProject& stored) {
-  const std::filesystem::path opened = std::exchange(opening_file, {});
+  std::error_code ignored;
+  const std::filesystem::path opened = std::filesystem::absolute(std::exchange(opening_file, {}), ignored);
   replace(stored.project);
   if (opening_slot) {
     std::erase_if(leftovers, [&](const Leftover& leftover) { return leftover.file == opening_slot->file(); });
@@ -55,6 +56,8 @@ void Session::keep_changes_in(const std::filesystem::path& folder) {
         chore->result.post(std::make_shared<const std::vector<Leftover>>(find_leftovers(folder)));
       });
 }
+
+void Session::set_autosave_minutes(int minutes) { impl_->keeper.set_autosave(60.0 * minutes); }
 
 const std::vector<Leftover>& Session::leftovers() const { return impl_->leftovers; }
 
