@@ -32,7 +32,7 @@ struct LineSegment {
   std::uint32_t style = 0;
   bool operator==(const LineSegment&) const = default;
 };
-inline constexpr std::size_t kMaxLineStyles = 8;
+inline constexpr std::size_t kMaxLineStyles = 16;
 
 /// Segments on the graphics card.
 class LineBatch {

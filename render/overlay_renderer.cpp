@@ -2,23 +2,28 @@
 // them.
 #include "render/overlay_renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace netwright {
 namespace {
 
+constexpr std::size_t kOverlayStyles = static_cast<std::size_t>(OverlayStyle::Rim) + 1;  // the last one
+static_assert(kOverlayStyles <= kMaxLineStyles);
+
 constexpr float kThroughTheModel = 0.3F;
+constexpr float kMeasuredThrough = 0.75F;
 
 Colour full(Colour colour) {
   colour.a = 1;
   return colour;
 }
 
-std::array<LineStyle, 10> overlay_styles(const Palette& palette, float strength) {
-  std::array<LineStyle, 10> styles;
-  const auto set = [&](OverlayStyle style, Colour colour, float width_px) {
-    colour.a *= strength;
+std::array<LineStyle, kOverlayStyles> overlay_styles(const Palette& palette, float strength) {
+  std::array<LineStyle, kOverlayStyles> styles;
+  const auto set = [&](OverlayStyle style, Colour colour, float width_px, float least = 0) {
+    colour.a *= std::max(strength, least);
     styles[static_cast<std::size_t>(style)] = {colour, width_px, {}, false};
   };
   set(OverlayStyle::Hovered, palette.hover_edge, 4.5F);
@@ -28,9 +33,10 @@ std::array<LineStyle, 10> overlay_styles(const Palette& palette, float strength)
   set(OverlayStyle::PinnedFold, palette.pinned_fold, 3.5F);
   set(OverlayStyle::PinnedCut, palette.pinned_cut, 3.5F);
   set(OverlayStyle::Patch, palette.patch, 3);
-  set(OverlayStyle::Measured, palette.measure, 2);
-  set(OverlayStyle::Dot, palette.measure, 7);
-  set(OverlayStyle::Rim, palette.measure_rim, 10);
+  // What is measured goes straight through the model and must be seen on all its way.
+  set(OverlayStyle::Measured, palette.measure, 2, kMeasuredThrough);
+  set(OverlayStyle::Dot, palette.measure, 7, kMeasuredThrough);
+  set(OverlayStyle::Rim, palette.measure_rim, 10, kMeasuredThrough);
   return styles;
 }
 

@@ -7,9 +7,9 @@ layout(location = 2) in uint style;
 uniform mat4 clip_from_world;
 uniform vec2 size_px;
 uniform float pull;
-uniform vec4 style_colour[8];
-uniform vec4 style_dash[8];
-uniform vec4 style_shape[8];  // width in px, 1 when dashes are in world units, pixels per design pixel
+uniform vec4 style_colour[16];
+uniform vec4 style_dash[16];
+uniform vec4 style_shape[16];  // width in px, 1 when dashes are in world units, pixels per design pixel
 
 flat out vec4 colour;
 flat out vec4 dash;         // lengths along the segment: dash, gap, dash, gap

@@ -103,6 +103,21 @@ TEST(Measure, WorksOnTheModelAndTellsTheAngleOfEdges) {
   EXPECT_NE(gui.ui().hint.find("angle of the edges 90.0°"), std::string::npos) << gui.ui().hint;
 }
 
+TEST(Measure, ShowsItsPointsInItsOwnColour) {
+  Measured gui;
+  const HalfedgeId h = gui.mesh().first(FaceId(2));
+  gui.click_at(gui.in_net(gui.net().corner(h)));
+  gui.click_at(gui.in_net(gui.net().corner(gui.mesh().next(h))));
+  gui.point({2, 2});
+  const auto pixel = glm::ivec2(gui.in_net(gui.net().corner(h)));
+  const Image image = gui.window.read_pixels();
+  const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(image.width) +
+                       static_cast<std::size_t>(pixel.x));
+  const Colour wanted = palette(Theme::Light).measure;
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(image.rgba[at + static_cast<std::size_t>(i)], 255 * wanted[i], 12) << "channel " << i;
+}
+
 TEST(Measure, EscapeLetsGoOfThePointThenOfTheTool) {
   Measured gui;
   gui.click_at(gui.net_pixel(FaceId(1)));

@@ -46,7 +46,8 @@ std::vector<Entry> entries_of(const UiContext& context, const ShownNet& shown) {
     entries.push_back({"cut", Mark::Line, p.cut});
     entries.push_back({"mountain", Mark::Line, p.mountain, {6, 2, 2, 2}});
     entries.push_back({"valley", Mark::Line, p.valley, {4, 3}});
-    if (has_kind(shown, EdgeKind::Flat)) entries.push_back({"flat", Mark::Line, p.flat});
+    if (has_kind(shown, EdgeKind::Flat))
+      entries.push_back({"flat", Mark::Line, Colour(glm::vec3(p.flat), 0.4F)});
     if (has_kind(shown, EdgeKind::Border)) entries.push_back({"border", Mark::Line, p.border});
     add_pins(context.session.project().pins, p, entries);
   }

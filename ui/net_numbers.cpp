@@ -11,7 +11,7 @@
 namespace netwright {
 namespace {
 
-constexpr double kRoomyFace = 20;  ///< radius of a face's inner circle from which it has room, design pixels
+constexpr double kRoomyFace = 24;  ///< radius of a face's inner circle from which it has room, design pixels
 constexpr float kInset = 9;        ///< from a cut to the middle of its number
 
 struct Target {

@@ -56,7 +56,9 @@ void draw_row(UiContext& context, const OverlapList::Row& row, std::size_t index
   draw.AddText(ImVec2(min.x + look.px(8), y), is_lit ? look.colours.on_tint : look.colours.text,
                text.c_str());
   draw.AddText(ImVec2(right, y), is_lit ? look.colours.on_tint : look.colours.muted, depth.c_str());
-  tooltip(ui, is_lit ? "Click again to let go of it" : "Shows this overlap in both views");
+  // A tooltip would cover the lines below.
+  if (ImGui::IsItemHovered())
+    ui.hint = is_lit ? "Click again to let go of this overlap" : "Click shows this overlap in both views";
 }
 
 }  // namespace
