@@ -103,7 +103,10 @@ void Application::remember_model() {
   const auto& path = session_.file().empty() ? session_.project().path : session_.file();
   if (path == known_model_) return;
   known_model_ = path;
-  if (!path.empty()) remember(ui_.settings, path);
+  if (path.empty()) return;
+  remember(ui_.settings, path);
+  // At once, since what ends the editor may leave no time for it.
+  if (!settings_file_.empty() && save_settings(ui_.settings, settings_file_)) saved_settings_ = ui_.settings;
 }
 
 void Application::draw() {

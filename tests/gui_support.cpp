@@ -27,8 +27,10 @@ std::filesystem::path TemporaryFolder::write(const std::string& name, const std:
   return path_ / name;
 }
 
-Gui::Gui(glm::ivec2 size, double content_scale)
-    : window({"Netwright", size}, content_scale), app(window, [this] { return now; }, {}) {
+Gui::Gui(glm::ivec2 size, double content_scale, const std::filesystem::path& settings_file)
+    : window({"Netwright", size}, content_scale),
+      app(
+          window, [this] { return now; }, settings_file) {
   ui().widgets = &widgets;
   ui().settings.theme = ThemeChoice::Light;
   frames(3);

@@ -27,7 +27,8 @@ class TemporaryFolder {
 
 class Gui {
  public:
-  explicit Gui(glm::ivec2 size = {1440, 900}, double content_scale = 1);
+  explicit Gui(glm::ivec2 size = {1440, 900}, double content_scale = 1,
+               const std::filesystem::path& settings_file = {});
 
   HeadlessWindow window;
   double now = 0;

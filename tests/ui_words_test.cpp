@@ -125,6 +125,7 @@ TEST(SettingsFile, ComesBackAsItWasSaved) {
   settings.is_maximized = true;
   settings.show_textures = false;
   settings.recent = {"/tmp/a b.obj", "/tmp/ü.stl"};
+  settings.export_folder = "/tmp/paper nets";
   const auto file = folder.path() / "deep" / "settings.conf";
   ASSERT_TRUE(save_settings(settings, file));
   EXPECT_EQ(load_settings(file), settings);

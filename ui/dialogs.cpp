@@ -11,6 +11,7 @@
 #include "core/sheet/write.h"
 #include "ui/actions.h"
 #include "ui/leave.h"
+#include "ui/recent_files.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -63,14 +64,12 @@ std::string file_stem(const Session& session) {
 void Dialogs::begin(UiContext& context) {
   UiState& ui = context.ui;
   present_ = ui.dialog;
-  const auto& recent = ui.settings.recent;
-  const auto model_folder = recent.empty() ? home_folder() : recent.front().parent_path();
   if (present_ == Dialog::Open) {
-    browser_.begin({FileBrowser::Mode::Open, model_folder, "", readable_extensions()});
+    browser_.begin({FileBrowser::Mode::Open, latest_folder(ui.settings), "", readable_extensions()});
   } else if (present_ == Dialog::Export) {
     const auto& path = context.session.project().path;
-    const auto folder =
-        !export_folder_.empty() ? export_folder_ : (path.empty() ? home_folder() : path.parent_path());
+    const auto& last = ui.settings.export_folder;
+    const auto folder = !last.empty() ? last : (path.empty() ? home_folder() : path.parent_path());
     browser_.begin({FileBrowser::Mode::Save,
                     folder,
                     file_stem(context.session) + "." + ui.export_extension,
@@ -187,7 +186,7 @@ void Dialogs::draw_export(UiContext& context) {
     chosen = browser_.accept();
   }
   if (chosen) {
-    export_folder_ = browser_.folder();
+    ui.settings.export_folder = browser_.folder();
     context.session.export_to(*chosen);
     finish(context);
   }

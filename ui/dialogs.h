@@ -55,7 +55,6 @@ class Dialogs {
   Dialog present_ = Dialog::None;
   bool is_cancelled_ = false;
   bool is_accepted_ = false;
-  std::filesystem::path export_folder_;
   std::vector<Texture> pictures_;  ///< of the work that can be recovered
   bool finish_recovery_ = false;   ///< one was chosen
   float repair_height_ = 0;        ///< of the text about a broken file, as it was drawn last

@@ -11,6 +11,7 @@
 #include "core/mesh/repair.h"
 #include "ui/actions.h"
 #include "ui/leave.h"
+#include "ui/recent_files.h"
 #include "ui/samples.h"
 #include "ui/status.h"
 #include "ui/view_parts.h"
@@ -171,7 +172,9 @@ void EmptyState::recent_files(UiContext& context) {
     ButtonSpec spec{"recent/" + file.filename().string(), file.filename().string(), icon::kRecent,
                     file.string()};
     if (listed > 1) ImGui::SameLine();
-    if (button(ui, spec)) open_file(context, file);
+    ImGui::PushID(file.c_str());
+    if (button(ui, spec)) open_recent(context, file);
+    ImGui::PopID();
   }
 }
 

@@ -5,6 +5,7 @@
 #include "ui/actions.h"
 #include "ui/frame_parts.h"
 #include "ui/leave.h"
+#include "ui/recent_files.h"
 #include "ui/samples.h"
 #include "ui/widgets.h"
 
@@ -24,12 +25,22 @@ void entry(UiContext& context, ActionId id) {
 }
 
 void recent_menu(UiContext& context) {
-  const auto recent = context.ui.settings.recent;
-  if (recent.empty() || !ImGui::BeginMenu("Recent")) return;
+  UiState& ui = context.ui;
+  const auto recent = ui.settings.recent;
+  if (recent.empty()) return;
+  const bool is_open = ImGui::BeginMenu("Recent");
+  note_widget(ui, "menu/Recent");
+  if (!is_open) return;
   for (const auto& file : recent) {
-    if (ImGui::MenuItem(file.filename().c_str())) open_file(context, file);
-    tooltip(context.ui, file.string());
+    const std::string label = file.filename().string() + "###" + file.string();
+    const bool is_chosen = ImGui::MenuItem(label.c_str(), folder_text(file).c_str());
+    note_widget(ui, "menu/Recent/" + file.string());
+    tooltip(ui, file.string());
+    if (is_chosen) open_recent(context, file);
   }
+  ImGui::Separator();
+  if (ImGui::MenuItem("Forget these files")) ui.settings.recent.clear();
+  note_widget(ui, "menu/Recent/Forget these files");
   ImGui::EndMenu();
 }
 

@@ -101,6 +101,8 @@ void read_value(std::string_view key, std::string_view text, Settings& settings)
     read_number(text, 0.15F, 0.85F, settings.splitter);
   } else if (key == "recent" && !text.empty() && settings.recent.size() < Settings::kMaxRecent) {
     settings.recent.emplace_back(text);
+  } else if (key == "export_folder") {
+    settings.export_folder = text;
   }
   for (const Flag& flag : kFlags) {
     if (flag.key == key && (text == "yes" || text == "no")) settings.*flag.value = text == "yes";
@@ -113,6 +115,12 @@ std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// A line of its own; a path that would take two is not worth remembering.
+void write_path(std::ostream& out, std::string_view key, const std::filesystem::path& path) {
+  const std::string text = path.string();
+  if (text.find_first_of("\r\n") == std::string::npos) out << key << " = " << text << '\n';
 }
 
 }  // namespace
@@ -184,7 +192,8 @@ bool save_settings(const Settings& settings, const std::filesystem::path& file) 
     out << "splitter = " << settings.splitter << '\n';
     for (const Flag& flag : kFlags) out << flag.key << " = " << (settings.*flag.value ? "yes" : "no") << '\n';
     for (const Number& number : kNumbers) out << number.key << " = " << settings.*number.value << '\n';
-    for (const auto& path : settings.recent) out << "recent = " << path.string() << '\n';
+    for (const auto& path : settings.recent) write_path(out, "recent", path);
+    write_path(out, "export_folder", settings.export_folder);
     if (!out.flush()) return false;
   }
   std::filesystem::rename(draft, file, error);

@@ -48,6 +48,7 @@ struct Settings {
   int window_y = 0;
   bool is_maximized = false;
   std::vector<std::filesystem::path> recent;  ///< newest first, at most kMaxRecent
+  std::filesystem::path export_folder;        ///< where the last net was written; empty before the first
 
   [[nodiscard]] bool& is_open(Section section) { return open_sections[static_cast<std::size_t>(section)]; }
   [[nodiscard]] bool& is_done(FirstHint hint) { return hints_done[static_cast<std::size_t>(hint)]; }

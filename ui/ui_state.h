@@ -74,7 +74,7 @@ struct UiState {
   Measuring measuring;
   OverlapList overlaps;
   std::optional<Overlap> shown_overlap;  ///< lit in both views; gone with the mesh
-  std::string hint;  ///< what the thing under the pointer does; rebuilt every frame
+  std::string hint;                      ///< what the thing under the pointer does; rebuilt every frame
 
   Dialog dialog = Dialog::None;
   std::string export_extension = "pdf";  ///< preset of the export dialog
