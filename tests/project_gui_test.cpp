@@ -207,7 +207,7 @@ TEST(ProjectGui, OffersWorkOfAnEditorThatDied) {
     gui.session().keep_changes_in(state);
     ASSERT_TRUE(gui.until([&] { return gui.ui().dialog == Dialog::Recover; }));
     gui.frames(3);
-    gui.click("dialog/accept");  // Later
+    gui.click("dialog/later");
     EXPECT_EQ(gui.ui().dialog, Dialog::None);
     gui.frames(5);
     EXPECT_EQ(gui.ui().dialog, Dialog::None) << "once a start is enough";

@@ -108,13 +108,18 @@ void Dialogs::draw_leftover(UiContext& context, const Leftover& leftover, std::s
     const auto picture = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(pictures_[index].name()));
     ImGui::Image(picture, ImVec2(side, side), ImVec2(0, 1), ImVec2(1, 0));
   }
+  ButtonSpec discard{name + "/discard", "Discard", "", "Throws this work away"};
+  discard.kind = ButtonKind::Outlined;
+  ButtonSpec recover{name + "/recover", "Recover", "", "Opens it as it was; it stays here until you save it"};
+  recover.kind = ButtonKind::Accent;
+  discard.width = recover.width = look.px(96);
   const float left = side + look.px(16);
-  const float buttons = look.px(192);
-  const float room = ImGui::GetContentRegionAvail().x - left - buttons;
+  const float buttons = 2 * recover.width + look.px(8);
+  const float room = ImGui::GetWindowContentRegionMax().x - left - buttons;
   const auto line = [&](float y) { ImGui::SetCursorPos(ImVec2(left, top + look.px(y))); };
   line(8);
   ImGui::PushFont(look.fonts.bold);
-  ImGui::TextUnformatted(shortened(name_of(leftover), room).c_str());
+  ImGui::TextUnformatted(shortened(name_of(leftover), room - look.px(12)).c_str());
   ImGui::PopFont();
   tooltip(ui, leftover.outline.belongs_to.empty() ? "Never saved to a file"
                                                   : leftover.outline.belongs_to.string());
@@ -123,11 +128,7 @@ void Dialogs::draw_leftover(UiContext& context, const Leftover& leftover, std::s
   text_muted(ui, "kept " + when_saved(leftover));
   line(54);
   text_muted(ui, facts_of(leftover));
-  ButtonSpec discard{name + "/discard", "Discard", "", "Throws this work away"};
-  discard.kind = ButtonKind::Outlined;
-  ButtonSpec recover{name + "/recover", "Recover", "", "Opens it as it was; it stays here until you save it"};
-  recover.kind = ButtonKind::Accent;
-  ImGui::SetCursorPos(ImVec2(left + room + look.px(8), top + look.px(24)));
+  ImGui::SetCursorPos(ImVec2(left + room, top + look.px(24)));
   const bool is_discarded = button(ui, discard);
   ImGui::SameLine(0, look.px(8));
   const bool is_recovered = button(ui, recover);
@@ -146,11 +147,12 @@ void Dialogs::draw_recover(UiContext& context) {
   UiState& ui = context.ui;
   const std::size_t n = context.session.leftovers().size();
   const float list = kLeftoverHeight * std::min(static_cast<float>(std::max<std::size_t>(n, 1)), kMostShown);
-  if (!begin_window(ui, 640, 156 + list)) return;
+  if (!begin_window(ui, 640, 172 + list)) return;
   ui.has_offered_recovery = true;
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted("Netwright ended before this was saved.");
   ImGui::PopTextWrapPos();
+  ImGui::Dummy(ImVec2(0, ui.look.px(4)));
   ImGui::BeginChild("leftovers", ImVec2(0, ImGui::GetContentRegionAvail().y - ui.look.px(44)));
   finish_recovery_ = n == 0;
   for (std::size_t i = 0; i < context.session.leftovers().size(); ++i) {
@@ -160,9 +162,17 @@ void Dialogs::draw_recover(UiContext& context) {
     if (context.session.leftovers().size() != n) break;  // one went: the others come with the next frame
   }
   ImGui::EndChild();
-  const bool is_later = footer(context, {"Later", true, false});
-  if (present_ != Dialog::None && (is_later || finish_recovery_)) finish(context);
-  if (present_ == Dialog::None) pictures_.clear();
+  ButtonSpec later{"dialog/later", "Later"};
+  later.kind = ButtonKind::Outlined;
+  later.tip = "Asks again at the next start; until then it is in the menu File";
+  later.width = ui.look.px(96);
+  ImGui::SetCursorPos(ImVec2(ImGui::GetWindowWidth() - ui.look.px(20) - later.width,
+                             ImGui::GetWindowHeight() - ui.look.px(48)));
+  const bool is_later = button(ui, later) || std::exchange(is_cancelled_, false);
+  if (is_later || finish_recovery_) {
+    finish(context);
+    pictures_.clear();
+  }
   ImGui::EndPopup();
 }
 

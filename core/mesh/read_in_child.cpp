@@ -13,8 +13,6 @@ namespace {
 constexpr ChildLimits kReadLimits{
     .seconds = 4, .memory_bytes = std::size_t{900} << 20, .output_bytes = std::size_t{400} << 20};
 
-std::filesystem::path helper() { return program_folder() / "netwright-read"; }
-
 /// What Assimp said, as the middle of a sentence.
 std::string as_clause(std::string_view said) {
   constexpr std::size_t kLongest = 100;
@@ -43,15 +41,17 @@ void add_textures(ParsedModel& model, const CompanionLookup& companions) {
 
 }  // namespace
 
+ChildReader usual_child_reader() { return {program_folder() / "netwright-read", kReadLimits}; }
+
 PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension,
-                          const CompanionLookup& companions) {
+                          const CompanionLookup& companions, const ChildReader& reader) {
   check_header(name, bytes, extension);
-  if (std::error_code error; !std::filesystem::exists(helper(), error)) {
+  if (std::error_code error; !std::filesystem::exists(reader.program, error)) {
     refuse(name,
-           "the helper program " + helper().string() +
+           "the helper program " + reader.program.string() +
                ", which reads this format, is missing; install Netwright again or export the model as OBJ.");
   }
-  const ChildResult result = run_child(helper(), {extension}, bytes, kReadLimits);
+  const ChildResult result = run_child(reader.program, {extension}, bytes, reader.limits);
   switch (result.end) {
     case ChildResult::End::TimedOut:
     case ChildResult::End::Flooded:

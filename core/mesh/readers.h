@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/subprocess.h"
 #include "core/mesh/read.h"
 #include "core/mesh/soup.h"
 
@@ -20,10 +21,19 @@ PolygonSoup read_gltf(const std::string& name, std::string_view bytes, const Com
 
 PolygonSoup read_off(const std::string& name, std::string_view bytes);
 
+/// Who reads for us, and how far we let it go.
+struct ChildReader {
+  std::filesystem::path program;
+  ChildLimits limits;
+};
+/// netwright-read beside this program; some seconds, less than a gigabyte.
+ChildReader usual_child_reader();
+
 /// Reads STL, PLY, 3MF, Collada or 3DS in a child process, so that neither a crash nor a blow-up in the
 /// library that parses them costs the user anything. `extension` is one of "stl", "ply", "3mf", "dae", "3ds".
 PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension,
-                          const CompanionLookup& companions);
+                          const CompanionLookup& companions,
+                          const ChildReader& reader = usual_child_reader());
 
 /// Refuses a file whose header promises more than the file can hold, before anyone allocates that much.
 void check_header(const std::string& name, std::string_view bytes, const std::string& extension);
