@@ -20,7 +20,8 @@ constexpr std::string_view kMark = "NWSHAPE1";
 /// As for the models that are read: squares and volumes of coordinates must stay within a double's range.
 constexpr double kMaxCoordinate = 1e75;
 
-enum Part { Points, Faces, Corners, Uv, Materials, Sources, Flips, kParts };
+enum Part { Points, Faces, Corners, Uv, Materials, Sources, Flips };
+constexpr std::size_t kParts = 7;
 using Counts = std::array<std::uint64_t, kParts>;
 constexpr Counts kItemBytes{
     sizeof(glm::dvec3), sizeof(int), sizeof(int), sizeof(glm::dvec2), sizeof(int), sizeof(int), 1};
