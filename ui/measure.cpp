@@ -113,8 +113,7 @@ std::string angles_text(const PaperPoint& a, const PaperPoint& b, const Net* net
   const Mesh& mesh = pose.mesh();
   const auto in_space = [&](HalfedgeId h) { return pose.position(mesh.next(h)) - pose.position(h); };
   const auto in_net = [&](HalfedgeId h) { return glm::dvec3(net->corner(mesh.next(h)) - net->corner(h), 0); };
-  const std::string space =
-      angle_text(angle_between(mesh, a.side, b.side, in_space(a.side), in_space(b.side)));
+  std::string space = angle_text(angle_between(mesh, a.side, b.side, in_space(a.side), in_space(b.side)));
   if (net == nullptr) return space;
   return both(angle_text(angle_between(mesh, a.side, b.side, in_net(a.side), in_net(b.side))), space);
 }
