@@ -66,9 +66,13 @@ Status idle_status(const Session& session) {
     status.in_short = pieces_text(*shown);
   } else {
     status.tone = Tone::Bad;
-    status.in_short = shown->overlaps.empty()
-                          ? "not proved"
-                          : overlaps_text(static_cast<int>(shown->overlaps.size())) + " left";
+    const bool is_apart = shown->net.n_pieces > static_cast<int>(shown->net.mesh().n_components());
+    if (is_apart) status.in_short = counted(shown->net.n_pieces, "piece", "pieces");
+    if (!shown->overlaps.empty()) {
+      add(status.in_short, overlaps_text(static_cast<int>(shown->overlaps.size())) + " left");
+    } else if (!is_apart) {
+      status.in_short = "not proved";
+    }
   }
   status.text = status.in_short;
   add(status.text, counted(figures.faces, "face", "faces"));

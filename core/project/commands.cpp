@@ -29,6 +29,7 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
   project.made = std::move(made);
   project.tree = nullptr;
   project.run.reset();
+  project.edits = {};
   return project;
 }
 
@@ -50,6 +51,18 @@ Project set_pins(Project project, const Constraints& pins) {
 Project accept_tree(Project project, UnfoldTree tree, const RunSummary& run) {
   project.tree = std::make_shared<const UnfoldTree>(std::move(tree));
   project.run = run;
+  project.edits = {};
+  return project;
+}
+
+Project edit_by_hand(Project project, const HandEdit& edit) {
+  for (const EdgeId e : edit.cut) set_pin(project.edits, e, EdgePin::MustCut);
+  for (const EdgeId e : edit.joined) set_pin(project.edits, e, EdgePin::MustFold);
+  UnfoldTree tree = edit.tree;
+  if (project.pins.root.is_valid()) tree.reroot(project.dual->mesh(), project.pins.root);
+  project.tree = std::make_shared<const UnfoldTree>(std::move(tree));
+  if (!project.run) project.run.emplace();
+  project.run->is_proved = false;
   return project;
 }
 

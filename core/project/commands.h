@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/unfold/hand_edits.h"
 
 namespace netwright {
 
@@ -24,6 +25,9 @@ Project set_pins(Project project, const Constraints& pins);
 
 /// Makes a proved tree the project's own.
 Project accept_tree(Project project, UnfoldTree tree, const RunSummary& run);
+
+/// A tree changed by hand. Whether it is a net has to be proved again.
+Project edit_by_hand(Project project, const HandEdit& edit);
 
 Project set_seed(Project project, std::uint64_t seed);
 Project set_paper(Project project, const PaperSetup& paper);

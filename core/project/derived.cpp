@@ -4,6 +4,8 @@
 
 #include "core/base/error.h"
 #include "core/base/predicates.h"
+#include "core/unfold/flat_net.h"
+#include "core/unfold/verify.h"
 
 namespace netwright {
 
@@ -12,12 +14,18 @@ namespace {
 std::shared_ptr<const ShownNet> derive_net(const Project& project, const Derived* before,
                                            std::uint64_t version) {
   if (!project.tree) return nullptr;
-  const bool is_proved = project.run && project.run->is_proved;
+  const bool is_by_hand = !project.edits.are_free();
+  bool is_proved = project.run && project.run->is_proved;
   if (before && before->shown && before->source.dual == project.dual && before->source.tree == project.tree &&
-      before->shown->is_proved == is_proved)
+      (is_by_hand || before->shown->is_proved == is_proved))
     return before->shown;
   Net net = layout(project.dual, *project.tree);
   std::vector<Overlap> overlaps = find_overlaps(net, kShownDepth);
+  // A run proves its own net; what was changed by hand is proved here.
+  if (is_by_hand && !is_proved && overlaps.empty()) {
+    const int n_components = static_cast<int>(project.dual->mesh().n_components());
+    is_proved = net.n_pieces == n_components && verify(to_flat_net(net, 1), n_components).is_net;
+  }
   ShownNet shown = make_shown_net(std::move(net), std::move(overlaps), is_proved);
   shown.version = version;
   return std::make_shared<const ShownNet>(std::move(shown));

@@ -36,7 +36,8 @@ struct Project {
   std::shared_ptr<const DualGraph> dual;      ///< of made: model and dual graph; null in an empty project
   std::shared_ptr<const UnfoldTree> tree;     ///< the accepted tree, null before the first run
   std::optional<RunSummary> run;
-  Constraints pins;  ///< of the made mesh
+  Constraints pins;   ///< of the made mesh
+  Constraints edits;  ///< edges joined and cut by hand since the last run: what solving the rest keeps
   std::uint64_t seed = 0;
   PaperSetup paper;
   PrintSize size;

@@ -9,6 +9,18 @@
 
 namespace netwright {
 
+namespace {
+
+/// What was joined and cut by hand counts like pins; where both speak of an edge, the hand came later.
+Constraints with_edits(const Project& project) {
+  Constraints pins = project.pins;
+  for (const EdgeId e : project.edits.must_fold) set_pin(pins, e, EdgePin::MustFold);
+  for (const EdgeId e : project.edits.must_cut) set_pin(pins, e, EdgePin::MustCut);
+  return pins;
+}
+
+}  // namespace
+
 Session::Impl::Impl(Clock clock_function) : clock(std::move(clock_function)) {}
 
 Session::Impl::~Impl() {
@@ -35,15 +47,18 @@ void Session::Impl::check_pins() {
 void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const UnfoldTree> from,
                               bool stays_near) {
   check_pins();
-  if (contradiction) {
+  const std::optional<Contradiction> of_edits =
+      stays_near && !contradiction ? find_contradiction(*project().dual, with_edits(project()))
+                                   : std::nullopt;
+  if (contradiction || of_edits) {
     run.reset();
-    say(Message::Kind::Error, contradiction->sentence);
+    say(Message::Kind::Error, contradiction ? contradiction->sentence : of_edits->sentence);
     return;
   }
   SolveOptions options;
   options.seed = project().seed;
   options.streams = streams;
-  options.pins = project().pins;
+  options.pins = stays_near ? with_edits(project()) : project().pins;
   options.from = std::move(from);
   options.stays_near = stays_near;
   is_timed_out = false;

@@ -19,6 +19,7 @@
 #include "core/sheet/pages.h"
 #include "core/sheet/sheet.h"
 #include "core/solve/solve.h"
+#include "core/unfold/hand_edits.h"
 
 namespace netwright {
 
@@ -109,8 +110,20 @@ class Session {
 
   // The search.
   void unfold();  ///< start, or resume when paused; contradicting pins are told as an error instead
+  // Editing the net by hand: `edit` comes from the functions of unfold/hand_edits.h, made for the shown tree.
+  // One undo step each; the result may overlap itself and fall into pieces, and is proved like any net when
+  // it does not. A running search is ended first.
+  void edit_by_hand(const HandEdit& edit, const std::string& label);
+  /// The same net with the edit made, as it would be shown, laid out from the same roots.
+  [[nodiscard]] std::shared_ptr<const ShownNet> preview(const HandEdit& edit) const;
+  /// Pins and the folds joined by hand may not be cut to make way.
+  [[nodiscard]] bool may_cut(EdgeId edge) const;
+  /// There are edges joined or cut by hand since the last run.
+  [[nodiscard]] bool has_hand_edits() const { return !project().edits.are_free(); }
+
   /// Starts from the present net (finished, unfinished or cut up by hand) and changes only what overlaps and
-  /// pins ask for; like unfold() when there is none.
+  /// pins ask for; edges joined and cut by hand stay
+  /// so. Like unfold() when there is no net.
   void unfold_from_here();
   void pause();
   void step();      ///< one move, then paused; starts when nothing runs

@@ -115,6 +115,19 @@ bool Session::Impl::take_derived() {
   if (!made->fault.empty() && !(derived && derived->fault == made->fault))
     say(Message::Kind::Error, made->fault);
   derived = made;
+  const bool is_newly_proved = derived->shown && derived->shown->is_proved && project().run &&
+                               !project().run->is_proved && derived->source.tree == project().tree;
+  if (is_newly_proved) {  // a net made by hand has passed its proof
+    Project proved = project();
+    proved.run->is_proved = true;
+    proved.run->overlaps = 0;
+    derived = std::make_shared<const Derived>([&] {
+      Derived same = *derived;
+      same.source = proved;
+      return same;
+    }());
+    history.amend(std::move(proved));
+  }
   if (!is_unfinished && derived->shown) settled = derived->shown;
   return true;
 }
