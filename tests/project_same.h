@@ -88,6 +88,7 @@ inline void expect_same(const Project& a, const Project& b) {
   }
   EXPECT_EQ(a.run, b.run);
   EXPECT_EQ(a.pins, b.pins);
+  EXPECT_EQ(a.edits, b.edits);
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.paper, b.paper);
   EXPECT_EQ(a.size, b.size);

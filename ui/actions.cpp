@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "assets/icons.h"
+#include "ui/editing.h"
 #include "ui/leave.h"
 #include "ui/measure.h"
 #include "ui/pinning.h"
@@ -169,7 +170,19 @@ std::string play_label(const UiContext& c) {
   return goes_up ? "Fold up" : "Fold flat";
 }
 
+void toggle_editing(UiContext& c) {
+  const bool was_on = c.ui.editing.is_on;
+  end_measure(c.ui);
+  end_editing(c.ui);
+  c.ui.editing.is_on = !was_on;
+}
+
+std::string rest_label(const UiContext& c) {
+  return c.session.has_hand_edits() ? "Solve the rest" : "Unfold from here";
+}
+
 void toggle_measure(UiContext& c) {
+  end_editing(c.ui);
   const bool was_on = c.ui.measuring.is_on;
   c.ui.measuring = Measuring();
   c.ui.measuring.is_on = !was_on;
@@ -264,7 +277,7 @@ const auto kActions = std::to_array<Action>({
      [](UiContext& c) { c.session.new_seed(); }, nullptr, nullptr},
     {ActionId::UnfoldFromHere, "Unfold from here", icon::kReplay, {kSpaceKey, kShiftBit},
      "Starts from the net as it is and changes only what overlaps and pins ask for", needs_still_net,
-     [](UiContext& c) { c.session.unfold_from_here(); }, nullptr, nullptr},
+     [](UiContext& c) { c.session.unfold_from_here(); }, nullptr, rest_label},
     {ActionId::PinRoot, "Pin root", icon::kRoot, {'R', 0}, "Layout and tree start at this face",
      needs_face_or_pin, pin_root, nullptr, root_label},
     {ActionId::MustFold, "Must fold", icon::kPin, {'G', 0}, "The edge is a fold in every net from now on", why_no_edge_pin,
@@ -284,6 +297,9 @@ const auto kActions = std::to_array<Action>({
      frame_all, nullptr, nullptr},
     {ActionId::Home, "Home view", icon::kHome, {kHomeKey, 0}, "Looks at the model as at first", needs_model,
      [](UiContext& c) { c.ui.wants_home = true; frame_all(c); }, nullptr, nullptr},
+    {ActionId::JoinAndCut, "Join and cut", icon::kCut, {'E', 0},
+     "Joins and cuts edges of the net by hand, and hangs branches elsewhere", needs_still_net, toggle_editing,
+     [](const UiContext& c) { return c.ui.editing.is_on; }, nullptr},
     {ActionId::Measure, "Measure", icon::kRuler, {'D', 0}, "Measures distances and angles in both views, in printed size",
      needs_model, toggle_measure, [](const UiContext& c) { return c.ui.measuring.is_on; }, nullptr},
     {ActionId::ToggleTextures, "Textures", icon::kTexture, {}, "Shows the model's own colours and pictures",
@@ -375,7 +391,9 @@ bool run_shortcut(UiContext& context, const Shortcut& pressed) {
   for (const Action& candidate : kActions) {
     if (candidate.shortcut.key == 0 || candidate.shortcut != wanted) continue;
     // The tool in hand is what Esc gets rid of first.
-    if (candidate.id == ActionId::Stop && context.ui.measuring.is_on) {
+    if (candidate.id == ActionId::Stop && context.ui.editing.is_on) {
+      end_editing(context.ui);
+    } else if (candidate.id == ActionId::Stop && context.ui.measuring.is_on) {
       end_measure(context.ui);
       return true;
     }

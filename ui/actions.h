@@ -46,6 +46,7 @@ enum class ActionId {
   FoldLess,
   FoldMore,
   Measure,
+  JoinAndCut,
   ToggleTextures,
   ToggleTree,
   ToggleOverlaps,

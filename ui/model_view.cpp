@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/editing.h"
 #include "ui/fold_bar.h"
 #include "ui/measure.h"
 #include "ui/pointing.h"
@@ -100,6 +101,10 @@ void ModelView::handle(UiContext& context, const Scene& scene, const Gesture& ge
   if (!gesture.is_hovered || gesture.drag_button >= 0) return;
   if (scene.dual() == nullptr || ui.folding.is_playing) return;
   const Pointed pointed = point_at(scene.model_picker(), scene.pose(), camera_, pointer, edge_reach(ui));
+  if (ui.editing.is_on) {
+    take_edit(context, pointed, gesture, nullptr, nullptr);
+    return;
+  }
   if (ui.measuring.is_on) {
     const PaperPoint point =
         paper_point(pointed, *scene.dual(), scene.pose(), camera_, pointer, edge_reach(ui), !gesture.is_free);

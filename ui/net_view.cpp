@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assets/icons.h"
+#include "ui/editing.h"
 #include "ui/legend.h"
 #include "ui/measure.h"
 #include "ui/net_numbers.h"
@@ -106,6 +107,11 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
   if (gesture.wheel != 0) {
     camera_.zoom(std::pow(1.15, gesture.wheel), pointer);
     is_moved_by_user_ = true;
+  }
+  if (ui.editing.is_on && (gesture.is_hovered || ui.editing.branch.is_valid())) {
+    const glm::dvec2 at = camera_.to_world(pointer);
+    take_edit(context, pointed, gesture, scene.net(), &at);
+    return;
   }
   if (!gesture.is_hovered || gesture.drag_button >= 0) return;
   if (ui.measuring.is_on) {

@@ -45,6 +45,35 @@ void add_pins(const Target& to, const Constraints& pins) {
   for (const EdgeId e : pins.must_cut) add_edge(to, e, OverlayStyle::PinnedCut);
 }
 
+/// What the tool in hand would bring: the moved faces where they would lie, those that would overlap marked,
+/// and the places a dragged branch could hang at.
+void add_edit(const Target& to, const Editing& editing) {
+  const Mesh& mesh = to.pose.mesh();
+  for (const HalfedgeId h : editing.places) add_edge(to, mesh.edge(h), OverlayStyle::Selected);
+  if (!editing.edit || editing.preview == nullptr || to.net == nullptr) return;
+  const HandEdit& edit = *editing.edit;
+  const Net& after = editing.preview->net;
+  std::vector<char> is_moved(mesh.n_faces(), 0);
+  for (const FaceId f : edit.moved) is_moved[f.index()] = 1;
+  Rigid2 there;  // from the preview's plane to the one that is drawn
+  if (!edit.joined.empty()) {
+    const HalfedgeId h = mesh.halfedge(edit.joined.front());
+    const FaceId still = is_moved[mesh.face(h).index()] != 0 ? mesh.neighbour(h) : mesh.face(h);
+    there = to.net->placement[still] * after.placement[still].inverse();
+  }
+  for (const FaceId f : edit.moved) {
+    const OverlayStyle style =
+        editing.preview->is_overlapping[f.index()] ? OverlayStyle::Culprit : OverlayStyle::Hovered;
+    for (const HalfedgeId h : mesh.halfedges(f)) {
+      if (edit.joined.empty()) {
+        to.lines.add_in_plane(to.net->corner(h), to.net->corner(mesh.next(h)), style);
+      } else {
+        to.lines.add_in_plane(there(after.corner(h)), there(after.corner(mesh.next(h))), style);
+      }
+    }
+  }
+}
+
 /// From the middle of a cut's side to the middle of its other side.
 void add_curve(const Target& to, EdgeId e) {
   const Mesh& mesh = to.pose.mesh();
@@ -86,6 +115,7 @@ OverlayLines overlay_of(const UiState& ui, const ModelPose& pose, const Net* net
   }
   if (hovered.is_valid() && to.is_cut(hovered)) add_curve(to, hovered);
   for (const EdgeId e : ui.selected_edges) add_edge(to, e, OverlayStyle::Selected);
+  if (ui.editing.is_on) add_edit(to, ui.editing);
   if (hovered.is_valid()) add_edge(to, hovered, OverlayStyle::Hovered);
   return lines;
 }

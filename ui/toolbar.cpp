@@ -20,7 +20,7 @@ struct BarItem {
   const char* label = "";  ///< shorter than the action's own
 };
 
-constexpr std::array<BarItem, 15> kBar{BarItem{Item::Action, ActionId::Open, "Open"},
+constexpr std::array<BarItem, 16> kBar{BarItem{Item::Action, ActionId::Open, "Open"},
                                        BarItem{Item::IconOnly, ActionId::Save},
                                        BarItem{Item::Separator},
                                        BarItem{Item::IconOnly, ActionId::Undo},
@@ -33,6 +33,7 @@ constexpr std::array<BarItem, 15> kBar{BarItem{Item::Action, ActionId::Open, "Op
                                        BarItem{Item::Speed},
                                        BarItem{Item::Separator},
                                        BarItem{Item::Action, ActionId::PinRoot, "Root"},
+                                       BarItem{Item::IconOnly, ActionId::JoinAndCut},
                                        BarItem{Item::IconOnly, ActionId::Measure},
                                        BarItem{Item::Action, ActionId::ExportPdf, "Print"}};
 

@@ -42,6 +42,18 @@ struct Measuring {
   std::vector<PaperPoint> points;  ///< clicked: none, one or two
 };
 
+/// The tool that joins and cuts by hand, and what it would do where the pointer is.
+struct Editing {
+  bool is_on = false;
+  HalfedgeId side = {};  ///< the edge the edit is about
+  bool is_strip = false;
+  FaceId branch = {};                   ///< being dragged; invalid while none is
+  std::vector<HalfedgeId> places = {};  ///< where it could hang
+  std::uint64_t version = 0;            ///< of the net it was worked out for
+  std::optional<HandEdit> edit = {};
+  std::shared_ptr<const ShownNet> preview = {};  ///< the net after it
+};
+
 struct Toast {
   std::string text;
   bool is_good = true;
@@ -72,6 +84,7 @@ struct UiState {
   std::vector<FaceId> lit_faces;
   Folding folding;
   Measuring measuring;
+  Editing editing;
   OverlapList overlaps;
   std::optional<Overlap> shown_overlap;  ///< lit in both views; gone with the mesh
   std::string hint;                      ///< what the thing under the pointer does; rebuilt every frame

@@ -168,6 +168,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   made_json.set("fewest_faces", made.n_faces_least);
   json.set("made", std::move(made_json));
   json.set("pins", pins_json(project.pins, mesh));
+  if (!project.edits.are_free()) json.set("edits", pins_json(project.edits, mesh));
   json.set("seed", seed_json(project.seed));
   if (project.tree) json.set("tree", tree_json(*project.tree, mesh));
   if (project.run) json.set("run", run_json(*project.run));

@@ -42,7 +42,8 @@ class Reader {
     project.recipe = read_recipe(fields.object("recipe"));
     read_models(project, fields.object("mesh"), fields.object("made"));
     project.seed = seed(fields);
-    read_pins(project, fields.object("pins"));
+    project.pins = read_pins(project, fields.object("pins"), "the pins");
+    project.edits = read_pins(project, fields.object("edits"), "the edits");
     read_tree(project, fields);
     if (fields.has("run")) project.run = read_run(fields.object("run"));
     if (project.run && !project.tree) fields.refuse("run", "led to no tree");
@@ -227,11 +228,11 @@ class Reader {
     }
   }
 
-  void read_pins(Project& project, const Json* json) const {
-    JsonFields fields(json, file_, "the pins");
+  Constraints read_pins(const Project& project, const Json* json, const char* what) const {
+    JsonFields fields(json, file_, what);
     const Mesh& mesh = project.dual->mesh();
     const auto n_faces = static_cast<std::int64_t>(mesh.n_faces());
-    Constraints& pins = project.pins;
+    Constraints pins;
     pins.root = FaceId(static_cast<std::int32_t>(fields.integer("root", -1, n_faces - 1, -1)));
     pins.must_fold = read_edges(fields, "must_fold", mesh);
     pins.must_cut = read_edges(fields, "must_cut", mesh);
@@ -242,6 +243,7 @@ class Reader {
     }
     read_patches(fields, pins, mesh);
     fields.finish();
+    return pins;
   }
 
   static void read_tree(Project& project, JsonFields& fields) {
