@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/base/counted.h"
 #include "core/sheet/number_text.h"
 
 namespace netwright {
@@ -14,10 +15,6 @@ std::string format(const char* pattern, Values... values) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), pattern, values...);
   return text.data();
-}
-
-std::string counted(std::int64_t n, const std::string& one, const std::string& several) {
-  return std::to_string(n) + " " + (n == 1 ? one : several);
 }
 
 std::string duration(double seconds) {

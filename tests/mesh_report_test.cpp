@@ -120,7 +120,7 @@ TEST(SelfIntersection, EndsAfterAFixedNumberOfPairs) {
   const SelfIntersections found = find_self_intersections(needles);
   EXPECT_FALSE(found.is_complete);
   EXPECT_EQ(found.pairs.size(), 100'000U);
-  EXPECT_TRUE(has_line(report_on(needles), "in at least 100000 places"));
+  EXPECT_TRUE(has_line(report_on(needles), "in at least 100\u2009000 places"));
 }
 
 TEST(MeshReport, SaysTheSameOfASoupAndOfItsMesh) {

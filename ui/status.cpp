@@ -100,17 +100,6 @@ Status status_of(const Session& session) {
   return idle_status(session);
 }
 
-std::string grouped(std::int64_t number) {
-  std::string digits = std::to_string(number < 0 ? -number : number);
-  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-    digits.insert(static_cast<std::size_t>(at), "\u2009");
-  return number < 0 ? "−" + digits : digits;
-}
-
-std::string counted(std::int64_t number, const std::string& one, const std::string& many) {
-  return grouped(number) + " " + (number == 1 ? one : many);
-}
-
 std::string duration_text(double seconds) {
   if (seconds > 0 && seconds < 5e-5) return "under 0.1 ms";
   if (seconds < 0.1) return number_text("%.1f ms", seconds * 1000);

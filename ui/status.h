@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/counted.h"
 #include "core/project/session.h"
 
 namespace netwright {
@@ -19,10 +20,6 @@ struct Status {
 /// The truth about the search and the net, at the moment of the call.
 Status status_of(const Session& session);
 
-/// Thousands apart by thin spaces: 12 000.
-std::string grouped(std::int64_t number);
-/// "1 move", "2 moves", "12 000 moves".
-std::string counted(std::int64_t number, const std::string& one, const std::string& many);
 /// "2.4 ms", "0.4 s", "12 s", "2 min 5 s".
 std::string duration_text(double seconds);
 /// "400 of 12 000 faces"; just "12 000 faces" when that is all of them.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/mesh/flat_regions.h"
 #include "core/mesh/merge_pass.h"
@@ -36,10 +37,6 @@ MergeStage merged_stage(const Mesh& mesh, const MergeOptions& options) {
   return joined(std::move(open), tolerance, JoinRule::Convex);
 }
 
-std::string counted(int n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 std::vector<std::string> tell(const MergedFaces& merged, double tolerance_rad) {
   std::vector<std::string> sentences;
   if (merged.n_groups == 0) {
@@ -49,7 +46,7 @@ std::vector<std::string> tell(const MergedFaces& merged, double tolerance_rad) {
                         std::string(degrees) + " degrees.");
   } else {
     sentences.push_back(
-        counted(merged.n_before, "face", "faces") + " became " + std::to_string(merged.n_after()) + ": " +
+        counted(merged.n_before, "face", "faces") + " became " + grouped(merged.n_after()) + ": " +
         counted(merged.n_groups, "flat polygon was", "flat polygons were") + " made of several faces each.");
   }
   if (merged.n_points_dropped > 0)

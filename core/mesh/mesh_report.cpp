@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <span>
 
+#include "core/base/counted.h"
 #include "core/base/predicates.h"
 #include "core/mesh/formats.h"
 #include "core/mesh/mesh.h"
@@ -20,7 +22,6 @@ namespace {
 using Kind = MeshReport::Line::Kind;
 using Topic = MeshReport::Topic;
 using Line = MeshReport::Line;
-using repair::counted;
 
 constexpr std::array<std::string_view, 18> kTopicNames{"counts",
                                                        "shape",
@@ -47,17 +48,17 @@ std::string number_list(const std::string& one, const std::string& many, std::sp
   std::string list = numbers.size() == 1 ? one + " " : many + " ";
   for (std::size_t i = 0; i < std::min(numbers.size(), kShown); ++i)
     list += (i > 0 ? ", " : "") + std::to_string(numbers[i] + 1);
-  if (numbers.size() > kShown) list += " and " + std::to_string(numbers.size() - kShown) + " more";
+  if (numbers.size() > kShown) list += " and " + grouped(static_cast<std::int64_t>(numbers.size() - kShown)) + " more";
   return list;
 }
 
 std::string face_list(std::span<const int> faces) { return number_list("face", "faces", faces); }
 
-/// Three digits that matter: "0.0123", "83.1", "2390".
+/// Three digits that matter: "0.0123", "83.1", "2 390".
 std::string length_text(double length) {
+  if (length >= 100 && length < 1e7) return grouped(std::llround(length));
   std::array<char, 32> text{};
-  const bool is_plain = length == 0 || (length >= 1e-3 && length < 1e7);
-  std::snprintf(text.data(), text.size(), is_plain && length >= 100 ? "%.0f" : "%.3g", length);
+  std::snprintf(text.data(), text.size(), "%.3g", length);
   return text.data();
 }
 
@@ -76,7 +77,7 @@ void add_facts(MeshReport& report, bool has_shape) {
   }
   if (report.n_components > 1) {
     report.lines.push_back(
-        {Kind::Fact, std::to_string(report.n_components) + " separate parts; each becomes a piece of its own",
+        {Kind::Fact, grouped(report.n_components) + " separate parts; each becomes a piece of its own",
          Topic::Parts, report.n_components});
   }
 }

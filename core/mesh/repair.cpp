@@ -13,7 +13,6 @@
 namespace netwright {
 namespace {
 
-using repair::counted;
 using Topic = MeshReport::Topic;
 
 [[noreturn]] void refuse(const PolygonSoup& soup, const std::string& what) {

@@ -53,7 +53,7 @@ class Way {
 
   void split(const Mesh& mesh) {
     SplitFaces parts = netwright::split_uneven_faces(mesh);
-    note("Split " + repair::counted(parts.n_split, "face that is", "faces that are") +
+    note("Split " + counted(parts.n_split, "face that is", "faces that are") +
          " not flat into triangles" +
          repair::before_after(static_cast<int>(mesh.n_faces()), parts.soup.n_faces(), "faces") + ".");
     parts.soup.notices = std::move(start_.soup.notices);

@@ -292,7 +292,7 @@ Repaired drop_degenerate_faces(const PolygonSoup& soup) {
     for (const int part : parts[at]) writer.add_face(faces.table().face(part).corners, f, material);
   }
   const int n_after = writer.soup().n_faces();
-  return writer.finish(n_mended, "Cleared away " + repair::counted(n_mended, "face", "faces") +
+  return writer.finish(n_mended, "Cleared away " + counted(n_mended, "face", "faces") +
                                      " without area or with a corner named twice" +
                                      repair::before_after(work.n_faces(), n_after, "faces") + ".");
 }
@@ -309,7 +309,7 @@ Repaired drop_doubled_faces(const PolygonSoup& soup) {
   const int n_after = writer.soup().n_faces();
   const int n_dropped = work.n_faces() - n_after;
   if (n_dropped == 0) return repair::unchanged(soup);
-  return writer.finish(n_dropped, "Dropped " + repair::counted(n_dropped, "doubled face", "doubled faces") +
+  return writer.finish(n_dropped, "Dropped " + counted(n_dropped, "doubled face", "doubled faces") +
                                       repair::before_after(work.n_faces(), n_after, "faces") + ".");
 }
 

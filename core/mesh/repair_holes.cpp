@@ -262,8 +262,8 @@ Repaired close_holes(const PolygonSoup& soup, int max_edges) {
   if (n_closed == 0) return repair::unchanged(soup);
   const auto n_holes = static_cast<int>(holes.size());
   const int n_new = filler.writer().soup().n_faces() - work.n_faces();
-  return filler.writer().finish(n_closed, "Closed " + repair::counted(n_closed, "hole", "holes") + " with " +
-                                              repair::counted(n_new, "new face", "new faces") +
+  return filler.writer().finish(n_closed, "Closed " + counted(n_closed, "hole", "holes") + " with " +
+                                              counted(n_new, "new face", "new faces") +
                                               repair::before_after(n_holes, n_holes - n_closed, "borders") +
                                               ".");
 }

@@ -59,7 +59,7 @@ Repaired without_parts(const PolygonSoup& soup, const PolygonSoup& work, const s
     if (is_kept[static_cast<std::size_t>(f)] != 0) writer.copy_face(f);
   }
   const auto n_parts = static_cast<int>(parts.size());
-  return writer.finish(n_dropped, "Dropped " + repair::counted(n_dropped, what + " part", what + " parts") +
+  return writer.finish(n_dropped, "Dropped " + counted(n_dropped, what + " part", what + " parts") +
                                       repair::before_after(n_parts, n_parts - n_dropped, "parts") + ".");
 }
 
@@ -157,7 +157,7 @@ Repaired drop_isolated_points(const PolygonSoup& soup) {
   const auto n_before = static_cast<int>(soup.points.size());
   result.count = n_isolated;
   result.sentence = "Dropped " +
-                    repair::counted(n_isolated, "point that no face uses", "points that no face uses") +
+                    counted(n_isolated, "point that no face uses", "points that no face uses") +
                     repair::before_after(n_before, n_before - n_isolated, "points") + ".";
   return result;
 }

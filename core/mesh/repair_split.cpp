@@ -234,10 +234,10 @@ Repaired split_non_manifold(const PolygonSoup& soup) {
   const int n_points = count_pinched_points(work, pairing);
   std::string what;
   if (pairing.n_crowded() > 0)
-    what = repair::counted(pairing.n_crowded(), "edge", "edges") + " with more than two faces";
+    what = counted(pairing.n_crowded(), "edge", "edges") + " with more than two faces";
   if (n_points > 0) {
     what +=
-        (what.empty() ? "" : " and ") + repair::counted(n_points, "point", "points") + " where parts touched";
+        (what.empty() ? "" : " and ") + counted(n_points, "point", "points") + " where parts touched";
   }
   result.sentence = "Split " + what + repair::before_after(n_before, n_before + result.count, "points") + ".";
   return result;

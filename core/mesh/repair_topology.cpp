@@ -207,12 +207,8 @@ std::string turned_sentence(std::ptrdiff_t n_turned) {
   return "Turned " + counted(n_turned, "face", "faces") + " over to face outward like the rest.";
 }
 
-std::string counted(std::ptrdiff_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 std::string before_after(int before, int after, const std::string& many) {
-  return " (" + std::to_string(before) + " → " + std::to_string(after) + " " + many + ")";
+  return " (" + grouped(before) + " → " + grouped(after) + " " + many + ")";
 }
 
 }  // namespace netwright::repair

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/base/geometry.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/soup.h"
@@ -165,8 +166,6 @@ std::string turned_faces_sentence(std::ptrdiff_t n_turned);
 /// What repair says when it did it.
 std::string turned_sentence(std::ptrdiff_t n_turned);
 
-/// "1 face", "7 faces"
-std::string counted(std::ptrdiff_t n, const std::string& one, const std::string& many);
 /// " (36 → 32 faces)"
 std::string before_after(int before, int after, const std::string& many);
 

@@ -177,7 +177,7 @@ Repaired weld_points(const PolygonSoup& soup, double tolerance) {
   Repaired result = repair::unchanged(work);
   result.count = n_merged;
   result.sentence =
-      "Merged " + repair::counted(n_merged, "point", "points") + " into others" +
+      "Merged " + counted(n_merged, "point", "points") + " into others" +
       repair::before_after(static_cast<int>(n_before), static_cast<int>(n_before) - n_merged, "points") + ".";
   return result;
 }

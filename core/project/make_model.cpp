@@ -2,6 +2,7 @@
 // cuts polygons up again.
 #include "core/project/make_model.h"
 
+#include "core/base/counted.h"
 #include "core/mesh/merge_faces.h"
 #include "core/mesh/planarize.h"
 #include "core/mesh/repair.h"
@@ -81,8 +82,7 @@ class Maker {
       const SplitFaces split = split_uneven_faces(mesh);
       stages_.mesh =
           std::make_shared<const Mesh>(split.soup, split.is_flipped, sources_of(mesh, split.split_from));
-      stages_.done.push_back("Split " + std::to_string(split.n_split) +
-                             (split.n_split == 1 ? " uneven face" : " uneven faces") + " into triangles.");
+      stages_.done.push_back("Split " + counted(split.n_split, "uneven face", "uneven faces") + " into triangles.");
       model_.refusal.clear();
     } else if (recipe_.uneven == UnevenFaces::Flatten) {
       progress_.set_phase("Flattening the faces of " + source_->name);
@@ -129,8 +129,8 @@ class Maker {
     for (int& source : sources) source = stages_.mesh->face_source(FaceId(source));
     auto mesh = std::make_shared<const Mesh>(simplifier.soup_at(recipe_.faces), std::vector<bool>(), sources);
     model_.deviation = simplifier.deviation_at(recipe_.faces);
-    model_.done.push_back("Simplified from " + std::to_string(n_before) + " to " +
-                          std::to_string(mesh->n_faces()) + " faces.");
+    model_.done.push_back("Simplified from " + grouped(n_before) + " to " +
+                          counted(static_cast<std::int64_t>(mesh->n_faces()), "face", "faces") + ".");
     return mesh;
   }
 

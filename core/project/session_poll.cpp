@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/base/predicates.h"
 #include "core/project/commands.h"
@@ -21,10 +22,6 @@ constexpr double kShortRun = 0.1;
 
 /// Seconds between two pictures of a replay, per face: what making one costs, with room to spare.
 constexpr double kPictureSecondsPerFace = 2e-5;
-
-std::string counted(std::int64_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 std::string duration_text(double seconds) {
   if (seconds < 0.001) return "under 1 ms";
@@ -60,7 +57,7 @@ std::string export_news(const std::vector<std::filesystem::path>& files, std::si
   const std::string first = files.front().filename().string();
   if (files.size() > 1)
     return "Saved " + first + " to " + files.back().filename().string() + ", " +
-           std::to_string(files.size()) + " files";
+           grouped(static_cast<std::int64_t>(files.size())) + " files";
   const bool has_pages = files.front().extension() == ".pdf" || files.front().extension() == ".PDF";
   if (!has_pages) return "Saved " + first;
   return "Saved " + first + ", " + counted(static_cast<std::int64_t>(n_pages), "page", "pages");
