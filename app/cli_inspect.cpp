@@ -5,7 +5,9 @@
 
 #include "app/cli_commands.h"
 #include "app/cli_report.h"
+#include "core/base/counted.h"
 #include "core/base/error.h"
+#include "core/mesh/model_parts.h"
 #include "core/mesh/read.h"
 #include "core/mesh/repair.h"
 #include "core/project/project_file.h"
@@ -59,13 +61,43 @@ Json finding_json(const MeshReport::Line& line) {
 struct Prospect {
   std::vector<std::string> steps;
   bool is_repairable = false;
+  std::shared_ptr<const Mesh> mesh{};
 };
 
 Prospect try_repair(const PolygonSoup& soup, const PreparedModel& model) {
   if (model.is_fit()) return {};
   Progress progress;
   const RepairResult result = repair_all(soup, {}, progress);
-  return {result.done, result.is_fit()};
+  return {result.done, result.is_fit(), result.prepared.mesh};
+}
+
+/// The parts of what would be unfolded, numbered as --leave-out has them; none when there is only one.
+std::vector<ModelPart> separate_parts(const PreparedModel& model, const Prospect& prospect) {
+  const std::shared_ptr<const Mesh> mesh = model.is_fit() ? model.mesh : prospect.mesh;
+  if (!mesh || mesh->n_components() < 2) return {};
+  return parts_of(*mesh);
+}
+
+Json part_json(const ModelPart& part) {
+  Json json;
+  json.set("faces", static_cast<std::int64_t>(part.faces.size()));
+  json.set("size", Json::Array{part.size.x, part.size.y, part.size.z});
+  json.set("inner", part.is_inner);
+  json.set("small", part.is_small);
+  return json;
+}
+
+void print_parts(const std::vector<ModelPart>& parts) {
+  constexpr std::size_t kShown = 30;
+  for (std::size_t p = 0; p < std::min(parts.size(), kShown); ++p) {
+    const ModelPart& part = parts[p];
+    print("  Part " + std::to_string(p + 1) + ": " +
+          counted(static_cast<std::int64_t>(part.faces.size()), "face", "faces") + ", " +
+          size_text(part.size) + (part.is_inner ? ", inside another one" : "") +
+          (part.is_small ? ", small" : ""));
+  }
+  if (parts.size() > kShown)
+    print("  and " + counted(static_cast<std::int64_t>(parts.size() - kShown), "part", "parts") + " more");
 }
 
 Json full_json(const PolygonSoup& soup, const MeshReport& report, const PreparedModel& model,
@@ -83,6 +115,9 @@ Json full_json(const PolygonSoup& soup, const MeshReport& report, const Prepared
   for (const std::string& step : prospect.steps) steps.add(step);
   json.set("repairable", prospect.is_repairable);
   json.set("repair", steps);
+  Json parts{Json::Array{}};
+  for (const ModelPart& part : separate_parts(model, prospect)) parts.add(part_json(part));
+  json.set("parts", parts);
   return json;
 }
 
@@ -175,12 +210,14 @@ int run_info(const InfoCommand& command) {
   }
   print(soup.name);
   for (const MeshReport::Line& line : report.lines) print("  " + prefix(line.kind) + line.text);
+  const Prospect prospect = try_repair(soup, model);
+  print_parts(separate_parts(model, prospect));
   if (model.is_fit()) {
     print("Fit to unfold.");
     return kGood;
   }
   print("Not fit to unfold as it is. " + model.refusal);
-  if (const Prospect prospect = try_repair(soup, model); prospect.is_repairable) {
+  if (prospect.is_repairable) {
     print("With --repair it is fit to unfold:");
     for (const std::string& step : prospect.steps) print("  " + step);
   }

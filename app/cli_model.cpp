@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/cli_pins.h"
+#include "app/cli_recipe.h"
 #include "core/base/error.h"
 #include "core/mesh/read.h"
 #include "core/project/carry_pins.h"
@@ -15,24 +16,15 @@
 namespace netwright {
 namespace {
 
-/// Where repairing would help and was not asked for, the refusal ends with how to ask.
-std::string repair_hint(const std::shared_ptr<const PolygonSoup>& soup, Recipe recipe, Progress& progress) {
-  if (recipe.repairs) return "";
-  recipe = {.repairs = true, .uneven = recipe.uneven};
-  return make_model(soup, recipe, nullptr, progress).dual ? " Or add --repair." : "";
-}
-
-void make(CliModel& model, const Recipe& recipe, Progress& progress) {
+void make(CliModel& model, const UnfoldCommand& command, Progress& progress) {
   Project& project = model.project;
-  auto made = std::make_shared<const MadeModel>(make_model(project.source, recipe, nullptr, progress));
-  if (!made->dual)
-    throw Error(ErrorKind::Unfit, made->refusal + repair_hint(project.source, recipe, progress));
-  model.notices = made->done;
-  for (const MeshReport::Line& line : made->report.lines)
+  ToldModel told = make_as_told(project.source, command, progress);
+  model.notices = told.made->done;
+  for (const MeshReport::Line& line : told.made->report.lines)
     if (line.kind == MeshReport::Line::Kind::Notice) model.notices.push_back(line.text);
-  project.recipe = recipe;
-  project.dual = made->dual;
-  project.made = std::move(made);
+  project.recipe = std::move(told.recipe);
+  project.dual = told.made->dual;
+  project.made = std::move(told.made);
 }
 
 /// The project's own net as if it had just been found; nothing where it is not proved.
@@ -56,9 +48,8 @@ CliModel read_stored(UnfoldCommand& command, Progress& progress) {
   const UnfoldCommand::Given& given = command.given;
   if (given.recipe) {
     Progress making;
-    const Recipe recipe = command.recipe;
     const auto before = project.dual;
-    make(model, recipe, making);
+    make(model, command, making);
     project.tree = nullptr;
     project.run.reset();
     const CarriedPins carried = carry_pins(project.pins, before->mesh(), project.dual->mesh());
@@ -92,7 +83,9 @@ CliModel read_cli_model(UnfoldCommand& command, Progress& progress) {
   std::error_code ignored;
   project.path = std::filesystem::absolute(command.model, ignored);
   project.source = std::make_shared<const PolygonSoup>(read_soup(command.model));
-  make(model, command.recipe, progress);
+  make(model, command, progress);
+  if (std::string notice = size_notice(command, *project.source, project.dual->mesh()); !notice.empty())
+    model.notices.push_back(std::move(notice));
   project.pins = pins_of(command, project.dual->mesh());
   project.seed = static_cast<std::uint64_t>(command.seed);
   project.paper = command.paper;

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/paper.h"
 #include "core/mesh/read.h"
+#include "core/project/open_model.h"
 #include "core/project/project_file.h"
 #include "core/sheet/write.h"
 
@@ -142,6 +143,11 @@ class Reader {
     if (bench_app_->parsed()) return bench();
     unfold_.search = style();
     if (!up_.empty()) unfold_.recipe.up = up_ == "y" ? UpAxis::Y : UpAxis::Z;
+    if (is_repair_) unfold_.recipe.repairs = usual_repair().repairs;
+    if (is_repair_) unfold_.recipe.uneven = usual_repair().uneven;
+    unfold_.recipe.repairs.max_hole_edges = hole_edges_;
+    unfold_.recipe.repairs.welds |= unfold_.weld_mm.has_value();
+    for (const std::string& word : leave_out_) add_leave_out(word);
     if (is_flatten_) unfold_.recipe.uneven = UnevenFaces::Flatten;
     if (is_split_) unfold_.recipe.uneven = UnevenFaces::Split;
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
@@ -178,8 +184,30 @@ class Reader {
             },
             ""));
     app.add_flag(
-        "--repair", unfold_.recipe.repairs,
+        "--repair", is_repair_,
         "Repair the model first: weld, drop doubled and empty faces, turn, part what no paper can be");
+    app.add_option("--weld", unfold_.weld_mm, "Join open edges that lie within so many mm of each other")
+        ->type_name("MM")
+        ->check(within(0.0, 1e6, "a number of millimetres, 0 or more"));
+    app.add_option("--close-holes", hole_edges_, "Close holes with at most so many edges around")
+        ->type_name("EDGES")
+        ->check(within(3, 2000000000, "a number of edges, 3 or more"));
+    app.add_option("--leave-out", leave_out_,
+                   "Parts that get no piece: those inside others, small ones, or numbers as info lists them")
+        ->type_name("inner|small|N,…")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->take_all()
+        ->check(CLI::Validator(
+            [](std::string& word) {
+              int number = 0;
+              const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+              const bool is_number = error == std::errc() && end == word.data() + word.size() && number >= 1;
+              return is_number || word == "inner" || word == "small"
+                         ? std::string()
+                         : "it must be inner, small or the numbers of parts, counted from 1";
+            },
+            ""));
     CLI::Option* flatten =
         app.add_flag("--planarize", is_flatten_, "Move corners until faces that are not flat are");
     app.add_flag("--split", is_split_, "Split faces that are not flat into triangles")->excludes(flatten);
@@ -297,11 +325,22 @@ class Reader {
     const auto is_named = [this](const char* option) { return unfold_app_->count(option) > 0; };
     unfold_.given.seed = is_named("--seed");
     unfold_.given.search = is_named("--search") || is_named("--streams");
-    unfold_.given.recipe = !(unfold_.recipe == Recipe{});
+    unfold_.given.recipe =
+        !(unfold_.recipe == Recipe{}) || unfold_.weld_mm.has_value() || unfold_.leave_out.is_any();
     unfold_.given.pins = is_named("--root") || is_named("--must-fold") || is_named("--must-cut") ||
                          is_named("--keep-together");
     unfold_.given.paper = is_named("--paper");
     unfold_.given.size = is_named("--height") || is_named("--fit-page");
+  }
+
+  void add_leave_out(const std::string& word) {
+    if (word == "inner") {
+      unfold_.leave_out.inner = true;
+    } else if (word == "small") {
+      unfold_.leave_out.small = true;
+    } else {
+      unfold_.leave_out.numbers.push_back(std::stoi(word));
+    }
   }
 
   [[nodiscard]] SearchStyle style() const {
@@ -337,6 +376,9 @@ class Reader {
   CLI::Option* height_ = nullptr;
   bool is_fit_page_ = false;
   std::string up_;
+  bool is_repair_ = false;
+  int hole_edges_ = 0;
+  std::vector<std::string> leave_out_;
   bool is_flatten_ = false;
   bool is_split_ = false;
   UnfoldCommand unfold_;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -16,6 +17,14 @@
 
 namespace netwright {
 
+/// Parts of the model that get no piece.
+struct LeaveOut {
+  bool inner = false;
+  bool small = false;
+  std::vector<int> numbers{};  ///< as info lists them, counted from 1
+  [[nodiscard]] bool is_any() const { return inner || small || !numbers.empty(); }
+};
+
 struct UnfoldCommand {
   std::filesystem::path model;
   std::vector<std::filesystem::path> outputs;
@@ -24,7 +33,9 @@ struct UnfoldCommand {
   int streams = 2;
   int threads = 0;  ///< 0 = as many as there are streams and cores
   SearchStyle search = SearchStyle::Fast;
-  Recipe recipe;                               ///< what is done to the model first
+  Recipe recipe;                  ///< what is done to the model first,
+  std::optional<double> weld_mm;  ///< and what can only be said in the file's terms once it is read:
+  LeaveOut leave_out;
   int root = 0;                                ///< face number counted from 1, 0 = none
   std::vector<std::pair<int, int>> must_fold;  ///< edges as the numbers of their two faces, counted from 1
   std::vector<std::pair<int, int>> must_cut;   ///< likewise

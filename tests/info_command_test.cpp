@@ -54,6 +54,62 @@ TEST_F(CommandLine, InfoNamesCulpritsAndTellsWhatRepairWouldDo) {
   EXPECT_EQ(json.find("repair")->array()->size(), 1U);
 }
 
+/// A crumb, a ball inside a box, that box.
+PolygonSoup three_parts() {
+  const PolygonSoup ball = shapes::combined(shapes::cube(0.1), shapes::icosphere(2), {9.5, 2, 0.3});
+  return shapes::combined(ball, shapes::cube(4), {9, 0, 0});
+}
+
+TEST_F(CommandLine, InfoListsPartsAndUnfoldLeavesThemOut) {
+  const std::string model = write("parts.obj", three_parts());
+  const Ended ended = run({"info", model});
+  EXPECT_NE(ended.out.find("Part 1: 6 faces, 4 × 4 × 4\n"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("Part 2: 80 faces, 2 × 2 × 2, inside another one\n"), std::string::npos)
+      << ended.out;
+  EXPECT_NE(ended.out.find("Part 3: 6 faces, 0.1 × 0.1 × 0.1, small\n"), std::string::npos) << ended.out;
+  const Json json = run_json({"info", model, "--json"}, 0);
+  ASSERT_EQ(json.find("parts")->array()->size(), 3U);
+  EXPECT_EQ(json.find("parts")->array()->at(1).find("inner")->boolean(), true);
+  const std::string net = at("net.fold");
+  EXPECT_EQ(run_json({"unfold", model, "--json", "--leave-out", "inner"}, 0).find("pieces")->integer(), 2);
+  EXPECT_EQ(run_json({"unfold", model, "--json", "--leave-out", "2,small"}, 0).find("faces")->integer(), 6);
+  EXPECT_EQ(run_json({"unfold", model, "--json", "--leave-out", "1", "-o", net}, 0).find("faces")->integer(),
+            86);
+  EXPECT_EQ(run({"verify", net}).status, 0);
+  expect_refusal(run({"unfold", model, "--leave-out", "4"}), "no part 4");
+  expect_refusal(run({"unfold", model, "--leave-out", "1,2,3"}), "keep at least one");
+  expect_refusal(run({"unfold", model, "--leave-out", "outer"}), "inner, small");
+}
+
+TEST_F(CommandLine, SingleRepairsAreDoneAsAskedFor) {
+  PolygonSoup ball = shapes::icosphere(2);
+  ball.corners.resize(ball.corners.size() - 3);
+  ball.face_begin.pop_back();
+  const std::string model = write("ball.obj", ball);
+  EXPECT_EQ(run_json({"unfold", model, "--json", "--repair"}, 0).find("closed")->boolean(), false);
+  EXPECT_EQ(run_json({"unfold", model, "--json", "--close-holes", "3"}, 0).find("closed")->boolean(), true);
+  PolygonSoup torn = shapes::cube();
+  torn.points.push_back(torn.points[0] + glm::dvec3(0.001));
+  torn.corners[0] = 8;
+  const std::string box = write("torn.obj", torn);
+  EXPECT_EQ(run_json({"unfold", box, "--json", "--weld", "0.1", "--split"}, 0).find("closed")->boolean(),
+            false);
+  EXPECT_EQ(run_json({"unfold", box, "--json", "--weld", "2", "--split"}, 0).find("closed")->boolean(), true)
+      << "the file is in metres, probably";
+  expect_refusal(run({"unfold", box, "--weld", "-1"}), "--weld");
+}
+
+TEST_F(CommandLine, SaysHowToSizeAModelThatIsHuge) {
+  const std::string model = write("huge.obj", shapes::cube(3200));
+  const Ended ended = run({"unfold", model, "-o", at("net.svg")});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_NE(ended.err.find("3.2 m tall"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("--height 200"), std::string::npos) << ended.err;
+  EXPECT_EQ(run({"unfold", model, "-o", at("net.svg"), "--fit-page"}).err, "");
+  EXPECT_EQ(run({"unfold", model, "-o", at("net.svg"), "--height", "200"}).err, "");
+  EXPECT_EQ(run({"unfold", model}).err, "") << "nothing is printed";
+}
+
 TEST_F(CommandLine, InfoSaysWhatCannotBeRepaired) {
   // A Möbius strip of five triangles.
   const std::string strip =

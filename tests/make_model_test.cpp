@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/project/real_size.h"
 #include "core/solve/solve.h"
 #include "tests/support.h"
 
@@ -77,7 +78,7 @@ TEST(MakeModel, RepairIsOnlyDoneWhenAskedFor) {
   const MadeModel broken = make(soup, {});
   EXPECT_FALSE(broken.dual);
   EXPECT_FALSE(broken.refusal.empty());
-  const MadeModel repaired = make(soup, {.repairs = true});
+  const MadeModel repaired = make(soup, {.repairs = Repairs{}});
   ASSERT_TRUE(repaired.dual) << repaired.refusal;
   EXPECT_EQ(repaired.dual->mesh().n_faces(), 6U);
   EXPECT_FALSE(repaired.done.empty());
@@ -102,7 +103,7 @@ TEST(MakeModel, StagesKeptFromEarlierChangeOnlyTheTime) {
   const auto soup = shared(shapes::torus(20, 12));
   MadeModel model = make(soup, {});
   for (const Recipe& recipe : {Recipe{.faces = 100}, Recipe{.faces = 60}, Recipe{.faces = 60, .merges = true},
-                               Recipe{.faces = 300}, Recipe{.repairs = true, .faces = 80}, Recipe{}}) {
+                               Recipe{.faces = 300}, Recipe{.repairs = Repairs{}, .faces = 80}, Recipe{}}) {
     model = make(soup, recipe, model.stages);
     expect_same(model.dual->mesh(), make(soup, recipe).dual->mesh());
   }
@@ -122,12 +123,100 @@ TEST(MakeModel, NetsOfSplitAndRepairedModelsNameEveryFaceOnce) {
   holed.corners.resize(holed.corners.size() - 3);
   holed.face_begin.pop_back();
   for (const auto& [soup, recipe] :
-       {std::pair{shared(bent_box()), Recipe{.repairs = true, .uneven = UnevenFaces::Split}},
-        std::pair{shared(holed), Recipe{.repairs = true}}}) {
+       {std::pair{shared(bent_box()), Recipe{.repairs = Repairs{}, .uneven = UnevenFaces::Split}},
+        std::pair{shared(holed), Recipe{.repairs = Repairs{}}}}) {
     const MadeModel model = make(soup, recipe);
     ASSERT_TRUE(model.dual);
     EXPECT_TRUE(has_net(model)) << soup->name;
   }
+}
+
+/// A box with a ball inside, a crumb beside them and a second box, in the order of the file: crumb, ball,
+/// box, box.
+PolygonSoup four_parts() {
+  PolygonSoup soup = shapes::combined(shapes::cube(0.1), shapes::icosphere(2), {9.5, 2, 0.3});
+  soup = shapes::combined(soup, shapes::cube(4), {9, 0, 0});
+  return shapes::combined(soup, shapes::cube(3), {20, 0, 0});
+}
+
+TEST(MakeModel, ListsPartsTheLargestFirst) {
+  const MadeModel model = make(shared(four_parts()), {});
+  ASSERT_TRUE(model.dual) << model.refusal;
+  const std::vector<ModelPart> parts = parts_of(model.dual->mesh());
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_EQ(parts[0].size, glm::dvec3(4));
+  EXPECT_EQ(parts[3].first_face, 0);
+  EXPECT_EQ(parts[3].faces.size(), 6U);
+  for (std::size_t p = 0; p < 4; ++p) {
+    EXPECT_EQ(parts[p].is_inner, parts[p].faces.size() == 80U) << p;
+    EXPECT_EQ(parts[p].is_small, p == 3) << p;
+  }
+}
+
+TEST(MakeModel, LeavesPartsOutByAFaceOfTheFile) {
+  const auto soup = shared(four_parts());
+  const MadeModel all = make(soup, {});
+  const MadeModel fewer = make(soup, {.left_out = {0, 6}, .merges = true}, all.stages);
+  ASSERT_TRUE(fewer.dual) << fewer.refusal;
+  EXPECT_EQ(fewer.dual->mesh().n_components(), 2U);
+  EXPECT_EQ(fewer.dual->mesh().n_faces(), 12U);
+  EXPECT_EQ(fewer.dual->mesh().face_source(FaceId(0)), 86) << "faces keep the file's numbers";
+  EXPECT_EQ(fewer.done.front(), "Left out 2 of 4 parts.");
+  EXPECT_TRUE(has_net(fewer));
+  const MadeModel back = make(soup, {}, fewer.stages);
+  expect_same(back.dual->mesh(), all.dual->mesh());
+  const MadeModel none = make(soup, {.left_out = {0, 6, 86, 92}}, all.stages);
+  EXPECT_FALSE(none.dual);
+  EXPECT_NE(none.refusal.find("keep at least one"), std::string::npos) << none.refusal;
+}
+
+TEST(MakeModel, PartsAreLeftOutBeforeFacesAreCounted) {
+  const auto soup = shared(shapes::combined(shapes::icosphere(6), shapes::icosphere(4), {9, 0, 0}));
+  const MadeModel both = make(soup, {.faces = 300});
+  const MadeModel one = make(soup, {.left_out = {0}, .faces = 300}, both.stages);
+  EXPECT_EQ(one.stages->mesh->n_faces(), 320U);
+  EXPECT_GT(one.dual->mesh().n_faces(), 290U);
+  EXPECT_LE(one.dual->mesh().n_faces(), 300U);
+  expect_same(one.dual->mesh(), make(soup, {.left_out = {0}, .faces = 300}).dual->mesh());
+}
+
+TEST(MakeModel, ASurveyTellsWhatThereIsToChoose) {
+  Progress progress;
+  PolygonSoup soup = with_a_doubled_face(four_parts());
+  soup.points.back() += glm::dvec3(0.1, 0.2, 0.15);
+  Recipe recipe{.repairs = Repairs{}, .uneven = UnevenFaces::Split};
+  MadeModel model = make(shared(soup), recipe);
+  ASSERT_TRUE(model.dual) << model.refusal;
+  add_survey(model, progress);
+  const ModelSurvey& survey = *model.stages->survey;
+  EXPECT_EQ(survey.parts.size(), 4U);
+  ASSERT_NE(survey.repairs.find(RepairStep::UnevenFaces), nullptr);
+  EXPECT_EQ(survey.repairs.find(RepairStep::UnevenFaces)->left, 0);
+  EXPECT_EQ(survey.repairs.find(RepairStep::DoubledFaces)->found, 1);
+  recipe.merges = true;
+  EXPECT_EQ(make(model.stages->source, recipe, model.stages).stages->survey, model.stages->survey);
+}
+
+TEST(RealSize, IsOddUnderTenMillimetresAndOverTwoMetres) {
+  const auto odd = [](double size, const std::string& name) {
+    PolygonSoup soup = shapes::cube(size);
+    soup.name = name;
+    return real_size(soup, *testing::make_mesh(soup)).is_odd();
+  };
+  EXPECT_TRUE(odd(9.9, "a.stl"));
+  EXPECT_FALSE(odd(10.1, "a.stl"));
+  EXPECT_FALSE(odd(1999, "a.stl"));
+  EXPECT_TRUE(odd(2001, "a.stl"));
+  EXPECT_TRUE(odd(3.2, "a.glb"));
+  EXPECT_FALSE(odd(3.2, "a.obj")) << "centimetres, probably";
+}
+
+TEST(RealSize, IsToldInTheUnitThatFits) {
+  EXPECT_EQ(real_length_text(0.0021), "0.0021 mm");
+  EXPECT_EQ(real_length_text(8.31), "8.3 mm");
+  EXPECT_EQ(real_length_text(45.4), "45 mm");
+  EXPECT_EQ(real_length_text(3200), "3.2 m");
+  EXPECT_EQ(real_length_text(14e6), "14 km");
 }
 
 TEST(MakeModel, ACancelledMakingIsNoModelOfTheRecipe) {

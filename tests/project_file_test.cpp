@@ -113,17 +113,35 @@ TEST(ProjectFile, KeepsRepairedSplitAndTurnedModels) {
   broken.add_face(std::vector<int>(broken.face(0).begin(), broken.face(0).end()));
   broken.points.back() += glm::dvec3(0.1, 0.2, 0.15);
   for (const UnevenFaces uneven : {UnevenFaces::Split, UnevenFaces::Flatten}) {
-    const Project project = solved(project_of(broken, {.up = UpAxis::Z, .repairs = true, .uneven = uneven}));
+    const Project project = solved(project_of(broken, {.up = UpAxis::Z, .repairs = Repairs{}, .uneven = uneven}));
     EXPECT_FALSE(project.made->done.empty());
     expect_same(project, reopened(project));
   }
+}
+
+TEST(ProjectFile, KeepsWhichRepairsWereWantedAndWhichPartsWereLeftOut) {
+  PolygonSoup balls = shapes::combined(shapes::icosphere(2), shapes::icosphere(3), {9, 0, 0});
+  balls.corners.resize(balls.corners.size() - 3);
+  balls.face_begin.pop_back();
+  Recipe recipe{.left_out = {0}, .faces = 120};
+  recipe.repairs.welds = true;
+  recipe.repairs.weld_tolerance = 1e-5;
+  recipe.repairs.max_hole_edges = 3;
+  const Project project = project_of(balls, recipe);
+  EXPECT_TRUE(project.dual->mesh().is_closed());
+  const Project again = reopened(project);
+  expect_same(project, again);
+  Progress progress;
+  recipe.left_out.clear();
+  expect_same(make_model(project.source, recipe, project.made->stages, progress),
+              make_model(again.source, recipe, again.made->stages, progress));
 }
 
 TEST(ProjectFile, ChangingTheRecipeAfterOpeningGivesWhatItWouldHaveGivenBefore) {
   const Project project = project_of(shapes::icosphere(4), {.faces = 100});
   const Project again = reopened(project);
   Progress progress;
-  for (const Recipe& recipe : {Recipe{.faces = 60}, Recipe{}, Recipe{.repairs = true, .merges = true}}) {
+  for (const Recipe& recipe : {Recipe{.faces = 60}, Recipe{}, Recipe{.repairs = Repairs{}, .merges = true}}) {
     const MadeModel before = make_model(project.source, recipe, project.made->stages, progress);
     const MadeModel after = make_model(again.source, recipe, again.made->stages, progress);
     expect_same(before, after);

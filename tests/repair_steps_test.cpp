@@ -21,9 +21,9 @@ using testing::ZooShape;
 using Corners = std::vector<repair::Corner>;
 using Topic = MeshReport::Topic;
 
-RepairResult repaired(const PolygonSoup& soup, const RepairOptions& options = {}) {
+RepairResult repaired(const PolygonSoup& soup, const Repairs& repairs = {}) {
   Progress progress;
-  return repair_all(soup, options, progress);
+  return repair_all(soup, repairs, progress);
 }
 
 /// The soup with other faces (and its points).
@@ -59,7 +59,7 @@ struct Trial {
   Topic topic;
   std::function<Damaged(const ZooShape&, Random&)> damage;
   std::function<Repaired(const PolygonSoup&)> step;
-  RepairOptions options{};
+  Repairs options{};
 };
 
 struct Measures {
@@ -371,7 +371,7 @@ TEST(Repair, TakesAWallOutOfABoxAndClosesTheBox) {
   faces.push_back(wall);
   const PolygonSoup soup = with_faces(box, faces);
   EXPECT_EQ(report_on(soup).count(Topic::NonManifoldEdges), 8);
-  const RepairResult result = repaired(soup, {.min_part_share = 0, .drops_inner_parts = false});
+  const RepairResult result = repaired(soup, {});
   ASSERT_TRUE(result.is_fit()) << result.verdict;
   EXPECT_EQ(result.prepared.mesh->n_components(), 2U);
   EXPECT_EQ(result.prepared.report.n_border_edges, 8);
@@ -389,7 +389,7 @@ TEST(Repair, DropsSmallAndInnerPartsOnlyWhenAsked) {
   const Repaired without_inner = drop_inner_parts(soup);
   EXPECT_EQ(without_inner.count, 1) << without_inner.sentence;
   EXPECT_EQ(without_inner.soup.n_faces(), 12);
-  EXPECT_EQ(n_parts(repaired(soup, {.min_part_share = 0.05, .drops_inner_parts = true}).soup), 1);
+  EXPECT_EQ(n_parts(drop_inner_parts(without_small.soup).soup), 1);
   EXPECT_EQ(drop_small_parts(soup, 10).soup.n_faces(), 6) << "the largest part stays";
 }
 
@@ -408,7 +408,8 @@ TEST(Repair, DropsPointsThatNoFaceUses) {
 TEST(Repair, SplitsFacesThatAreNotFlatUnlessTheyWillBePlanarized) {
   PolygonSoup soup = shapes::cube();
   point(soup, 0) += glm::dvec3(0.1, 0.1, 0.1);
-  EXPECT_FALSE(repaired(soup, {.splits_uneven_faces = false}).is_fit());
+  Progress progress;
+  EXPECT_FALSE(repair_all(soup, {}, progress, false).is_fit());
   const RepairResult result = repaired(soup);
   ASSERT_TRUE(result.is_fit()) << result.verdict;
   EXPECT_EQ(result.soup.n_faces(), 9);
@@ -481,6 +482,96 @@ TEST(Repair, UndoesEverythingAtOnceInFilesWithoutSharedPoints) {
     EXPECT_EQ(result.soup.points.size(), shape.soup.points.size());
     EXPECT_EQ(result.done.size(), 4U);
   }
+}
+
+/// A ball with a doubled face, a turned one and a hole, each facet with points of its own.
+PolygonSoup careless_ball() {
+  const PolygonSoup ball = shapes::icosphere(2);
+  std::vector<Corners> faces = faces_of(ball);
+  faces.push_back(faces[5]);
+  std::ranges::reverse(faces[9]);
+  faces.erase(faces.begin() + 40);
+  PolygonSoup soup = torn(with_faces(ball, faces));
+  soup.is_indexed = false;
+  return soup;
+}
+
+TEST(RepairSurvey, CountsWhatEachStepHasToDoWhetherItIsWantedOrNot) {
+  Progress progress;
+  const RepairSurvey none = survey_repairs(careless_ball(), kNoRepairs, progress);
+  ASSERT_NE(none.find(RepairStep::DoubledFaces), nullptr);
+  EXPECT_EQ(none.find(RepairStep::DoubledFaces)->found, 1);
+  EXPECT_EQ(none.find(RepairStep::DoubledFaces)->left, 1);
+  EXPECT_EQ(none.find(RepairStep::UnevenFaces), nullptr) << "triangles are flat";
+  EXPECT_EQ(none.find(RepairStep::IsolatedPoints), nullptr);
+  Repairs some = kNoRepairs;
+  some.drops_doubled_faces = true;
+  some.max_hole_edges = 3;
+  const RepairSurvey done = survey_repairs(careless_ball(), some, progress);
+  EXPECT_EQ(done.find(RepairStep::DoubledFaces)->left, 0);
+  ASSERT_NE(done.find(RepairStep::Turn), nullptr);
+  EXPECT_EQ(done.find(RepairStep::Turn)->found, 1);
+  EXPECT_EQ(done.find(RepairStep::Turn)->left, 0);
+  ASSERT_NE(done.find(RepairStep::Holes), nullptr);
+  EXPECT_EQ(done.find(RepairStep::Holes)->found, 1);
+  EXPECT_EQ(done.find(RepairStep::Holes)->left, 0);
+  EXPECT_EQ(done.hole_sizes, std::vector<int>{3});
+  EXPECT_TRUE(none.can_weld) << "the hole's edges could be joined to others";
+}
+
+TEST(RepairSurvey, AgreesWithWhatRepairDoes) {
+  Random random(23);
+  for (const ZooShape& shape : zoo()) {
+    std::vector<Corners> faces = faces_of(shape.soup);
+    faces.push_back(faces[static_cast<std::size_t>(random.below(shape.soup.n_faces()))]);
+    const PolygonSoup soup = with_faces(shape.soup, faces);
+    Progress progress;
+    const RepairSurvey survey = survey_repairs(soup, {}, progress);
+    std::vector<std::string> told;
+    for (const RepairCount& count : survey.counts) {
+      if (count.left < count.found) told.push_back(count.sentence);
+    }
+    EXPECT_EQ(told, repaired(soup).done) << shape.soup.name;
+  }
+}
+
+TEST(RepairSurvey, FindsNothingInSoundClosedShapes) {
+  for (const ZooShape& shape : zoo()) {
+    if (!shape.is_closed) continue;
+    Progress progress;
+    const RepairSurvey survey = survey_repairs(shape.soup, kNoRepairs, progress);
+    EXPECT_TRUE(survey.counts.empty()) << shape.soup.name;
+    EXPECT_FALSE(survey.can_weld) << shape.soup.name;
+  }
+}
+
+TEST(Repair, WeldsAsFarAsTheToleranceReaches) {
+  PolygonSoup soup = torn(shapes::icosphere(2));
+  Random random(3);
+  for (glm::dvec3& p : soup.points) {
+    for (int axis = 0; axis < 3; ++axis) p[axis] += 1e-4 * (random.below(1001) / 1000.0 - 0.5);
+  }
+  Repairs weld = kNoRepairs;
+  weld.welds = true;
+  EXPECT_GT(repaired(soup, weld).prepared.report.n_border_edges, 0);
+  weld.weld_tolerance = 2e-4;
+  const RepairResult welded = repaired(soup, weld);
+  ASSERT_TRUE(welded.is_fit()) << welded.verdict;
+  EXPECT_TRUE(welded.prepared.mesh->is_closed());
+  EXPECT_EQ(welded.prepared.mesh->n_vertices(), 42U);
+}
+
+TEST(Repair, DoesNoStepThatIsNotWanted) {
+  const PolygonSoup soup = careless_ball();
+  Repairs holes = kNoRepairs;
+  holes.max_hole_edges = 3;
+  const RepairResult half = repaired(soup, holes);
+  EXPECT_FALSE(half.is_fit());
+  EXPECT_NE(half.verdict.find("same corners"), std::string::npos) << half.verdict;
+  holes.drops_doubled_faces = true;
+  const RepairResult whole = repaired(soup, holes);
+  ASSERT_TRUE(whole.is_fit()) << whole.verdict;
+  EXPECT_TRUE(whole.prepared.mesh->is_closed());
 }
 
 PolygonSoup random_soup(Random& random) {

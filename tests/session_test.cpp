@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/project/open_model.h"
 #include "tests/session_support.h"
 
 namespace netwright {
@@ -81,13 +82,15 @@ TEST_F(SessionTest, AsksBeforeItRepairsAndOpensWhatTheUserAgreedTo) {
   ASSERT_TRUE(frames_until([this] { return session_.pending() != nullptr; }));
   EXPECT_EQ(session_.figures().faces, 320) << "the present model stays until the user has decided";
   EXPECT_FALSE(session_.pending()->refusal.empty());
-  EXPECT_FALSE(session_.pending()->repairs.empty());
-  EXPECT_EQ(session_.pending()->n_faces_repaired, 6);
-  EXPECT_FALSE(session_.pending()->can_flatten);
+  EXPECT_EQ(session_.pending()->recipe, usual_repair());
+  ASSERT_TRUE(session_.pending()->is_fit());
+  EXPECT_EQ(session_.pending()->made->dual->mesh().n_faces(), 6U);
+  ASSERT_TRUE(session_.pending()->made->stages->survey);
+  EXPECT_FALSE(session_.pending()->made->stages->survey->repairs.counts.empty());
   session_.repair_pending();
   EXPECT_EQ(session_.pending(), nullptr);
   EXPECT_EQ(session_.figures().faces, 6);
-  EXPECT_TRUE(session_.recipe().repairs);
+  EXPECT_EQ(session_.recipe(), usual_repair());
   session_.unfold();
   ASSERT_TRUE(frames_until_idle());
   EXPECT_TRUE(session_.shown()->is_proved);
@@ -107,9 +110,14 @@ TEST_F(SessionTest, ADroppedBrokenFileChangesNothing) {
 TEST_F(SessionTest, FlattensUnevenFacesInsteadOfSplittingThem) {
   session_.open_bytes("bent.obj", bent_box());
   ASSERT_TRUE(frames_until([this] { return session_.pending() != nullptr; }));
-  EXPECT_TRUE(session_.pending()->can_flatten);
-  session_.flatten_pending();
-  ASSERT_TRUE(frames_until([this] { return session_.has_model(); }));
+  Recipe flat = session_.pending()->recipe;
+  flat.uneven = UnevenFaces::Flatten;
+  session_.try_pending(flat);
+  EXPECT_EQ(session_.pending()->recipe, flat);
+  session_.repair_pending();
+  EXPECT_FALSE(session_.has_model()) << "what comes of it is not known yet";
+  ASSERT_TRUE(frames_until([this] { return !session_.is_making(); }));
+  session_.repair_pending();
   EXPECT_EQ(session_.pending(), nullptr);
   EXPECT_EQ(session_.figures().faces, 6);
   EXPECT_EQ(session_.recipe().uneven, UnevenFaces::Flatten);

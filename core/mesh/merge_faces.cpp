@@ -45,9 +45,9 @@ std::vector<std::string> tell(const MergedFaces& merged, double tolerance_rad) {
     sentences.push_back("No faces were merged: no neighbours that look alike lie in one plane within " +
                         std::string(degrees) + " degrees.");
   } else {
-    sentences.push_back(
-        counted(merged.n_before, "face", "faces") + " became " + grouped(merged.n_after()) + ": " +
-        counted(merged.n_groups, "flat polygon was", "flat polygons were") + " made of several faces each.");
+    sentences.push_back(counted(merged.n_before, "face", "faces") + " became " + grouped(merged.n_after()) +
+                        ": " + counted(merged.n_groups, "flat polygon was", "flat polygons were") +
+                        " made of several faces each.");
   }
   if (merged.n_points_dropped > 0)
     sentences.push_back(counted(merged.n_points_dropped, "point", "points") +

@@ -48,7 +48,8 @@ std::string number_list(const std::string& one, const std::string& many, std::sp
   std::string list = numbers.size() == 1 ? one + " " : many + " ";
   for (std::size_t i = 0; i < std::min(numbers.size(), kShown); ++i)
     list += (i > 0 ? ", " : "") + std::to_string(numbers[i] + 1);
-  if (numbers.size() > kShown) list += " and " + grouped(static_cast<std::int64_t>(numbers.size() - kShown)) + " more";
+  if (numbers.size() > kShown)
+    list += " and " + grouped(static_cast<std::int64_t>(numbers.size() - kShown)) + " more";
   return list;
 }
 
@@ -76,9 +77,9 @@ void add_facts(MeshReport& report, bool has_shape) {
                             Topic::Shape, report.genus});
   }
   if (report.n_components > 1) {
-    report.lines.push_back(
-        {Kind::Fact, grouped(report.n_components) + " separate parts; each becomes a piece of its own",
-         Topic::Parts, report.n_components});
+    report.lines.push_back({Kind::Fact,
+                            grouped(report.n_components) + " separate parts; each becomes a piece of its own",
+                            Topic::Parts, report.n_components});
   }
 }
 
@@ -127,10 +128,8 @@ void add_borders(const repair::Findings& found, MeshReport& report) {
 
 void add_size(const PolygonSoup& soup, MeshReport& report) {
   const UnitGuess unit = guess_unit(soup);
-  report.lines.push_back({Kind::Fact,
-                          length_text(report.size.x) + " × " + length_text(report.size.y) + " × " +
-                              length_text(report.size.z) + ", probably in " + std::string(unit.name),
-                          Topic::Size});
+  report.lines.push_back(
+      {Kind::Fact, size_text(report.size) + ", probably in " + std::string(unit.name), Topic::Size});
 }
 
 void add_points(const repair::Findings& found, MeshReport& report) {
@@ -208,6 +207,10 @@ std::string percent(double share) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), share < 0.001 ? "%.2g %%" : "%.1f %%", 100 * share);
   return text.data();
+}
+
+std::string size_text(const glm::dvec3& size) {
+  return length_text(size.x) + " × " + length_text(size.y) + " × " + length_text(size.z);
 }
 
 const MeshReport::Line* MeshReport::find(Topic topic) const {

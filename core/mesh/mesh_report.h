@@ -71,6 +71,9 @@ std::string_view topic_name(MeshReport::Topic topic);
 /// A share as people read it: 0.034 is "3.4 %".
 std::string percent(double share);
 
+/// A box in model units, three digits that matter: "60 × 20 × 0.5".
+std::string size_text(const glm::dvec3& size);
+
 /// What one unit of a file probably is, in mm: what its format prescribes (STL and 3MF mm, glTF m), else what
 /// makes the model's longest side between 2 cm and 2 m.
 struct UnitGuess {

@@ -64,6 +64,8 @@ Repaired orient_faces(const PolygonSoup& soup);
 /// Fills borders of at most `max_edges` edges: a flat one with one face, others with triangles that bend as
 /// little as possible. Expects neighbours that run the same way (orient_faces); other borders stay open.
 Repaired close_holes(const PolygonSoup& soup, int max_edges);
+/// How many edges each border has that close_holes() could close, smallest first.
+std::vector<int> hole_sizes(const PolygonSoup& soup);
 /// Drops parts whose diagonal is below this share of the whole model's; the largest part always stays.
 Repaired drop_small_parts(const PolygonSoup& soup, double min_share);
 /// Drops parts that lie wholly inside a closed part.
@@ -71,12 +73,30 @@ Repaired drop_inner_parts(const PolygonSoup& soup);
 /// Drops points that no face uses.
 Repaired drop_isolated_points(const PolygonSoup& soup);
 
-struct RepairOptions {
-  double weld_tolerance = -1;       ///< model units; negative: kWeldDistance of the model's diagonal
-  int max_hole_edges = 0;           ///< 0: borders stay open, as masks and shells want it
-  double min_part_share = 0;        ///< of the model's diagonal; 0 keeps all parts
-  bool drops_inner_parts = false;   ///< parts wholly inside a closed part
-  bool splits_uneven_faces = true;  ///< into triangles (split_faces.h); false where they will be planarized
+/// Which steps are wanted; as it comes, all that change nothing but faults. Turning faces (orient) is not
+/// among them: without it there is no mesh, so it is always done, and told.
+struct Repairs {
+  bool welds = true;                   ///< weld_points()
+  double weld_tolerance = -1;          ///< for it, in model units; negative: kWeldDistance of the diagonal
+  bool drops_degenerate_faces = true;  ///< drop_degenerate_faces()
+  bool drops_doubled_faces = true;     ///< drop_doubled_faces()
+  bool splits_non_manifold = true;     ///< split_non_manifold()
+  int max_hole_edges = 0;              ///< close_holes(); 0: borders stay open, as masks and shells want it
+  bool drops_isolated_points = true;   ///< drop_isolated_points()
+  bool operator==(const Repairs&) const = default;
+};
+inline constexpr Repairs kNoRepairs{false, -1, false, false, false, 0, false};
+
+/// The steps in the order in which they are done.
+enum class RepairStep {
+  Weld,
+  DegenerateFaces,
+  DoubledFaces,
+  NonManifold,
+  Turn,
+  Holes,
+  IsolatedPoints,
+  UnevenFaces
 };
 
 struct RepairResult {
@@ -89,9 +109,31 @@ struct RepairResult {
   [[nodiscard]] bool is_fit() const { return prepared.is_fit(); }
 };
 
-/// All steps in the order that works, then prepare(). Repairing a sound model changes nothing, so doing it
-/// twice is doing it once. Never throws for a bad model: what cannot be repaired is said in `verdict`.
-/// When cancelled, the steps that were done stand.
-RepairResult repair_all(const PolygonSoup& soup, const RepairOptions& options, Progress& progress);
+/// The steps that are wanted in the order that works, then prepare(), then uneven faces split into triangles
+/// (split_faces.h) unless they will be planarized. Repairing a sound model changes nothing, so doing it twice
+/// is doing it once. Never throws for a bad model: what cannot be repaired is said in `verdict`. When
+/// cancelled, the steps that were done stand.
+RepairResult repair_all(const PolygonSoup& soup, const Repairs& repairs, Progress& progress,
+                        bool splits_uneven_faces = true);
+
+/// What one step finds when its turn comes, after the wanted ones before it.
+struct RepairCount {
+  RepairStep step;
+  int found = 0;         ///< points, faces, edges and points, borders: what the step is about
+  int left = 0;          ///< of them afterwards; `found` where the step is not wanted
+  std::string sentence;  ///< what it does or would do: "Dropped 4 doubled faces (36 → 32 faces)."
+  bool operator==(const RepairCount&) const = default;
+};
+
+/// A look at what each step has to do, also those that are not wanted, before one decides. Steps that find
+/// nothing are left out.
+struct RepairSurvey {
+  std::vector<RepairCount> counts;  ///< in the order of the steps
+  std::vector<int> hole_sizes;      ///< edges around each border when holes are closed, smallest first
+  double weld_tolerance = 0;        ///< model units: the one wanted, or the usual one
+  bool can_weld = false;            ///< there are open edges that a larger tolerance could join
+  [[nodiscard]] const RepairCount* find(RepairStep step) const;
+};
+RepairSurvey survey_repairs(const PolygonSoup& soup, const Repairs& repairs, Progress& progress);
 
 }  // namespace netwright

@@ -250,6 +250,15 @@ class Filler {
 
 }  // namespace
 
+std::vector<int> hole_sizes(const PolygonSoup& soup) {
+  const PolygonSoup work = repair::joined(soup);
+  std::vector<int> sizes;
+  for (const Hole& hole : find_holes(work, repair::sorted_sides(work)))
+    sizes.push_back(static_cast<int>(hole.corners.size()));
+  std::ranges::sort(sizes);
+  return sizes;
+}
+
 Repaired close_holes(const PolygonSoup& soup, int max_edges) {
   const PolygonSoup work = repair::joined(soup);
   const std::vector<Hole> holes = find_holes(work, repair::sorted_sides(work));

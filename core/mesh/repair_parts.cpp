@@ -1,4 +1,6 @@
 // Parts that the user may not want: small ones, those inside others, and points without faces.
+#include "core/mesh/repair_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,18 +10,11 @@
 #include "core/mesh/repair_topology.h"
 
 namespace netwright {
-namespace {
 
+using repair::Part;
 using repair::Side;
 
-struct Part {
-  std::vector<int> faces;
-  Box3 box;
-  bool is_closed = true;
-};
-
-/// Faces that hang together along edges.
-std::vector<Part> find_parts(const PolygonSoup& soup) {
+std::vector<Part> repair::find_parts(const PolygonSoup& soup) {
   repair::Groups groups(static_cast<std::size_t>(soup.n_faces()));
   const std::vector<Side> sides = repair::sorted_sides(soup);
   std::vector<char> has_border(static_cast<std::size_t>(soup.n_faces()), 0);
@@ -44,6 +39,8 @@ std::vector<Part> find_parts(const PolygonSoup& soup) {
   }
   return parts;
 }
+
+namespace {
 
 Repaired without_parts(const PolygonSoup& soup, const PolygonSoup& work, const std::vector<Part>& parts,
                        const std::vector<bool>& is_dropped, const std::string& what) {
@@ -107,37 +104,46 @@ bool lies_inside(const PolygonSoup& soup, const Part& inner, const Part& outer, 
 
 }  // namespace
 
-Repaired drop_small_parts(const PolygonSoup& soup, double min_share) {
-  const PolygonSoup work = repair::joined(soup);
-  const std::vector<Part> parts = find_parts(work);
-  const double model = repair::used_box(work).diagonal();
-  std::vector<bool> is_dropped;
+std::vector<bool> repair::find_small_parts(const PolygonSoup& soup, const std::vector<Part>& parts,
+                                           double min_share) {
+  const double model = used_box(soup).diagonal();
+  std::vector<bool> is_small;
   std::size_t largest = 0;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    is_dropped.push_back(parts[p].box.diagonal() < min_share * model);
+    is_small.push_back(parts[p].box.diagonal() < min_share * model);
     if (parts[p].box.diagonal() > parts[largest].box.diagonal()) largest = p;
   }
-  if (!is_dropped.empty()) is_dropped[largest] = false;
-  return without_parts(soup, work, parts, is_dropped, "small");
+  if (!is_small.empty()) is_small[largest] = false;
+  return is_small;
 }
 
-Repaired drop_inner_parts(const PolygonSoup& soup) {
-  const PolygonSoup work = repair::joined(soup);
-  const std::vector<Part> parts = find_parts(work);
-  constexpr std::int64_t kMostFaces = 200'000'000;  // some seconds; what is not looked at stays
+std::vector<bool> repair::find_inner_parts(const PolygonSoup& soup, const std::vector<Part>& parts) {
+  constexpr std::int64_t kMostFaces = 200'000'000;  // some seconds
   std::int64_t budget = kMostFaces;
   std::vector<std::size_t> closed;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (parts[p].is_closed) closed.push_back(p);
   }
-  std::vector<bool> is_dropped;
+  std::vector<bool> is_inner;
   for (const Part& part : parts) {
-    is_dropped.push_back(std::ranges::any_of(closed, [&](std::size_t outer) {
+    is_inner.push_back(std::ranges::any_of(closed, [&](std::size_t outer) {
       --budget;
-      return budget > 0 && &parts[outer] != &part && lies_inside(work, part, parts[outer], budget);
+      return budget > 0 && &parts[outer] != &part && lies_inside(soup, part, parts[outer], budget);
     }));
   }
-  return without_parts(soup, work, parts, is_dropped, "inner");
+  return is_inner;
+}
+
+Repaired drop_small_parts(const PolygonSoup& soup, double min_share) {
+  const PolygonSoup work = repair::joined(soup);
+  const std::vector<Part> parts = repair::find_parts(work);
+  return without_parts(soup, work, parts, repair::find_small_parts(work, parts, min_share), "small");
+}
+
+Repaired drop_inner_parts(const PolygonSoup& soup) {
+  const PolygonSoup work = repair::joined(soup);
+  const std::vector<Part> parts = repair::find_parts(work);
+  return without_parts(soup, work, parts, repair::find_inner_parts(work, parts), "inner");
 }
 
 Repaired drop_isolated_points(const PolygonSoup& soup) {
@@ -156,8 +162,7 @@ Repaired drop_isolated_points(const PolygonSoup& soup) {
   for (int& corner : work.corners) corner = number[static_cast<std::size_t>(corner)];
   const auto n_before = static_cast<int>(soup.points.size());
   result.count = n_isolated;
-  result.sentence = "Dropped " +
-                    counted(n_isolated, "point that no face uses", "points that no face uses") +
+  result.sentence = "Dropped " + counted(n_isolated, "point that no face uses", "points that no face uses") +
                     repair::before_after(n_before, n_before - n_isolated, "points") + ".";
   return result;
 }

@@ -236,8 +236,7 @@ Repaired split_non_manifold(const PolygonSoup& soup) {
   if (pairing.n_crowded() > 0)
     what = counted(pairing.n_crowded(), "edge", "edges") + " with more than two faces";
   if (n_points > 0) {
-    what +=
-        (what.empty() ? "" : " and ") + counted(n_points, "point", "points") + " where parts touched";
+    what += (what.empty() ? "" : " and ") + counted(n_points, "point", "points") + " where parts touched";
   }
   result.sentence = "Split " + what + repair::before_after(n_before, n_before + result.count, "points") + ".";
   return result;

@@ -1,5 +1,5 @@
-// The recipe, step by step: repair, uneven faces, simplify, merge. Merging comes last because simplifying
-// cuts polygons up again.
+// The recipe, step by step: repair, uneven faces, parts, simplify, merge. Merging comes last because
+// simplifying cuts polygons up again.
 #include "core/project/make_model.h"
 
 #include "core/base/counted.h"
@@ -31,11 +31,13 @@ class Maker {
       : source_(std::move(source)), recipe_(recipe), progress_(progress) {}
 
   MadeModel make(const std::shared_ptr<const ModelStages>& before) {
-    if (before && before->mesh && before->source == source_ && has_same_base(before->recipe)) {
+    if (before && before->whole && before->source == source_ && has_same_base(before->recipe)) {
       stages_ = *before;
     } else {
       prepare_base();
     }
+    if (stages_.whole && (!stages_.mesh || stages_.recipe.left_out != recipe_.left_out)) leave_out();
+    stages_.recipe = recipe_;
     model_.done = stages_.done;
     if (stages_.mesh && model_.refusal.empty()) finish();
     model_.was_cancelled = progress_.is_cancelled();
@@ -55,14 +57,12 @@ class Maker {
       turned->up_axis = *recipe_.up;
       source_ = std::move(turned);
     }
-    stages_.recipe = recipe_;
     PreparedModel prepared;
-    if (recipe_.repairs) {
+    if (recipe_.repairs != kNoRepairs) {
       progress_.set_phase("Repairing " + source_->name);
-      RepairOptions options;
-      options.splits_uneven_faces = recipe_.uneven != UnevenFaces::Flatten;
-      RepairResult repaired = repair_all(*source_, options, progress_);
-      stages_.done = std::move(repaired.done);
+      RepairResult repaired =
+          repair_all(*source_, recipe_.repairs, progress_, recipe_.uneven == UnevenFaces::Split);
+      stages_.repaired = std::move(repaired.done);
       prepared = std::move(repaired.prepared);
       if (!prepared.is_fit()) prepared.refusal = repaired.verdict;
     } else {
@@ -71,26 +71,43 @@ class Maker {
     }
     model_.report = prepared.report;
     model_.refusal = prepared.refusal;
-    stages_.mesh = prepared.mesh;
+    stages_.whole = prepared.mesh;
     if (prepared.mesh && prepared.report.n_uneven_faces > 0) treat_uneven(prepared.refusal);
-    if (!model_.refusal.empty()) stages_.mesh = nullptr;
+    if (!model_.refusal.empty()) stages_.whole = nullptr;
+  }
+
+  void leave_out() {
+    stages_.simplifier = nullptr;
+    stages_.mesh = stages_.whole;
+    stages_.done = stages_.repaired;
+    if (recipe_.left_out.empty()) return;
+    stages_.mesh = without_parts(*stages_.whole, recipe_.left_out);
+    if (!stages_.mesh) {
+      model_.refusal = source_->name + ": all its parts are left out; keep at least one.";
+      return;
+    }
+    const auto n_all = static_cast<std::int64_t>(stages_.whole->n_components());
+    const auto n_kept = static_cast<std::int64_t>(stages_.mesh->n_components());
+    if (n_kept < n_all)
+      stages_.done.push_back("Left out " + grouped(n_all - n_kept) + " of " + grouped(n_all) + " parts.");
   }
 
   void treat_uneven(const std::string& refusal) {
-    const Mesh& mesh = *stages_.mesh;
+    const Mesh& mesh = *stages_.whole;
     if (recipe_.uneven == UnevenFaces::Split) {
       const SplitFaces split = split_uneven_faces(mesh);
-      stages_.mesh =
+      stages_.whole =
           std::make_shared<const Mesh>(split.soup, split.is_flipped, sources_of(mesh, split.split_from));
-      stages_.done.push_back("Split " + counted(split.n_split, "uneven face", "uneven faces") + " into triangles.");
+      stages_.repaired.push_back("Split " + counted(split.n_split, "uneven face", "uneven faces") +
+                                 " into triangles.");
       model_.refusal.clear();
     } else if (recipe_.uneven == UnevenFaces::Flatten) {
       progress_.set_phase("Flattening the faces of " + source_->name);
       const PlanarizeResult flat = planarize(mesh, {}, progress_);
       if (flat.has_converged) {
-        stages_.mesh =
+        stages_.whole =
             std::make_shared<const Mesh>(flat.soup, flips_of(mesh), sources_of(mesh, mesh.faces()));
-        stages_.done.push_back(flat.sentence);
+        stages_.repaired.push_back(flat.sentence);
         model_.refusal.clear();
       } else {
         model_.refusal = flat.sentence;
@@ -146,6 +163,19 @@ class Maker {
 MadeModel make_model(const std::shared_ptr<const PolygonSoup>& source, const Recipe& recipe,
                      const std::shared_ptr<const ModelStages>& before, Progress& progress) {
   return Maker(source, recipe, progress).make(before);
+}
+
+void add_survey(MadeModel& model, Progress& progress) {
+  if (model.stages->survey || progress.is_cancelled()) return;
+  ModelStages stages = *model.stages;
+  auto survey = std::make_shared<ModelSurvey>();
+  survey->repairs = survey_repairs(*stages.source, stages.recipe.repairs, progress);
+  for (RepairCount& count : survey->repairs.counts) {
+    if (count.step == RepairStep::UnevenFaces && stages.recipe.uneven != UnevenFaces::Refuse) count.left = 0;
+  }
+  if (stages.whole) survey->parts = parts_of(*stages.whole);
+  stages.survey = std::move(survey);
+  model.stages = std::make_shared<const ModelStages>(std::move(stages));
 }
 
 }  // namespace netwright

@@ -9,18 +9,28 @@
 #include "core/base/progress.h"
 #include "core/mesh/dual_graph.h"
 #include "core/mesh/mesh_report.h"
+#include "core/mesh/model_parts.h"
 #include "core/mesh/simplify.h"
 #include "core/project/recipe.h"
 
 namespace netwright {
 
+/// What there is to choose: what each step of repair has to do, and the parts of the repaired model.
+struct ModelSurvey {
+  RepairSurvey repairs;  ///< uneven faces, too
+  std::vector<ModelPart> parts;
+};
+
 /// What later recipes for the same file can take over: the mesh before simplifying, and its collapses.
 struct ModelStages {
   std::shared_ptr<const PolygonSoup> source;
-  Recipe recipe;                     ///< only up, repairs and uneven count here
-  std::shared_ptr<const Mesh> mesh;  ///< repaired, all faces flat
-  std::vector<std::string> done;
+  Recipe recipe;                                 ///< only up, repairs, uneven and left_out count here
+  std::shared_ptr<const Mesh> whole;             ///< repaired, all faces flat, all parts
+  std::shared_ptr<const Mesh> mesh;              ///< without the parts that are left out
+  std::vector<std::string> repaired;             ///< what was done for `whole`,
+  std::vector<std::string> done;                 ///< and for `mesh`
   std::shared_ptr<const Simplifier> simplifier;  ///< null until it is asked for
+  std::shared_ptr<const ModelSurvey> survey;     ///< null until add_survey()
 };
 
 struct MadeModel {
@@ -38,5 +48,8 @@ struct MadeModel {
 /// a bad model. With recipe.faces > 0 the simplifier is made (or taken over); that is the long part.
 MadeModel make_model(const std::shared_ptr<const PolygonSoup>& source, const Recipe& recipe,
                      const std::shared_ptr<const ModelStages>& before, Progress& progress);
+
+/// Looks at what there is to choose, unless the stages taken over know it; about as long as repairing takes.
+void add_survey(MadeModel& model, Progress& progress);
 
 }  // namespace netwright

@@ -18,12 +18,14 @@ OpenedModel open_model(const ModelSource& source, Progress& progress) {
       is_file ? read_soup(source.path) : read_soup_bytes(source.name, source.bytes, source.companions));
   model.made = make_model(model.source, {}, nullptr, progress);
   if (!model.made.dual && !progress.is_cancelled()) {
-    auto repaired = std::make_shared<MadeModel>(make_model(model.source, kRepairing, nullptr, progress));
+    auto repaired = std::make_shared<MadeModel>(make_model(model.source, usual_repair(), nullptr, progress));
     if (!repaired->dual) throw Error(ErrorKind::Unfit, repaired->refusal);
+    add_survey(*repaired, progress);
     model.repaired = std::move(repaired);
     model.notices = model.source->notices;
     return model;
   }
+  add_survey(model.made, progress);
   for (const MeshReport::Line& line : model.made.report.lines)
     if (line.kind == MeshReport::Line::Kind::Notice) model.notices.push_back(line.text);
   return model;

@@ -27,12 +27,12 @@ struct OpenedModel {
   std::filesystem::path path;
   std::shared_ptr<const PolygonSoup> source;
   MadeModel made;                             ///< as the file is, nothing repaired; may be unfit
-  std::shared_ptr<const MadeModel> repaired;  ///< where that is unfit and repairing helps, else null
+  std::shared_ptr<const MadeModel> repaired;  ///< by usual_repair(), where that is unfit; else null
   std::vector<std::string> notices;           ///< whole sentences
 };
 
-/// The recipe of OpenedModel::repaired.
-inline constexpr Recipe kRepairing{.repairs = true, .uneven = UnevenFaces::Split};
+/// All that repair changes without being told how far to go: what "repair all" does, and --repair.
+inline Recipe usual_repair() { return {.repairs = {}, .uneven = UnevenFaces::Split}; }
 
 /// Throws Error with one sentence when the model cannot be read, or cannot be unfolded and not be repaired
 /// either.

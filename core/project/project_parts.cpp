@@ -94,11 +94,28 @@ Json mesh_json(const Mesh& mesh, Pictures& pictures) {
   return json;
 }
 
+Json repairs_json(const Repairs& repairs) {
+  Json json;
+  json.set("weld", repairs.welds);
+  if (repairs.weld_tolerance >= 0) json.set("weld_tolerance", repairs.weld_tolerance);
+  json.set("degenerate_faces", repairs.drops_degenerate_faces);
+  json.set("doubled_faces", repairs.drops_doubled_faces);
+  json.set("non_manifold", repairs.splits_non_manifold);
+  json.set("hole_edges", repairs.max_hole_edges);
+  json.set("isolated_points", repairs.drops_isolated_points);
+  return json;
+}
+
 Json recipe_json(const Recipe& recipe) {
   Json json;
   if (recipe.up) json.set("up", word(kUp, *recipe.up));
-  json.set("repairs", recipe.repairs);
+  json.set("repairs", recipe.repairs != kNoRepairs);
+  if (recipe.repairs != kNoRepairs && recipe.repairs != Repairs{})
+    json.set("repair_steps", repairs_json(recipe.repairs));
   json.set("uneven", word(kUneven, recipe.uneven));
+  Json left_out{Json::Array{}};
+  for (const int face : recipe.left_out) left_out.add(face);
+  if (!recipe.left_out.empty()) json.set("left_out", left_out);
   json.set("faces", recipe.faces);
   json.set("merges", recipe.merges);
   return json;

@@ -133,13 +133,29 @@ class Reader {
     return std::make_shared<const PolygonSoup>(std::move(shape.soup));
   }
 
+  /// Without details it is what "repair all" does.
+  Repairs read_repairs(const Json* json) const {
+    JsonFields fields(json, file_, "the repairs");
+    Repairs repairs;
+    repairs.welds = fields.flag("weld", repairs.welds);
+    repairs.weld_tolerance = fields.number("weld_tolerance", 0, kMostNumber, repairs.weld_tolerance);
+    repairs.drops_degenerate_faces = fields.flag("degenerate_faces", repairs.drops_degenerate_faces);
+    repairs.drops_doubled_faces = fields.flag("doubled_faces", repairs.drops_doubled_faces);
+    repairs.splits_non_manifold = fields.flag("non_manifold", repairs.splits_non_manifold);
+    repairs.max_hole_edges = static_cast<int>(fields.integer("hole_edges", 0, kMostInt, 0));
+    repairs.drops_isolated_points = fields.flag("isolated_points", repairs.drops_isolated_points);
+    fields.finish();
+    return repairs;
+  }
+
   Recipe read_recipe(const Json* json) const {
     JsonFields fields(json, file_, "the recipe");
     Recipe recipe;
     const int up = fields.choice("up", kUp, -1);
     if (up >= 0) recipe.up = static_cast<UpAxis>(up);
-    recipe.repairs = fields.flag("repairs", recipe.repairs);
+    if (fields.flag("repairs", false)) recipe.repairs = read_repairs(fields.object("repair_steps"));
     recipe.uneven = static_cast<UnevenFaces>(fields.choice("uneven", kUneven, 0));
+    recipe.left_out = fields.integers("left_out", 0, kMostInt);
     recipe.faces = static_cast<int>(fields.integer("faces", 0, kMostInt, recipe.faces));
     recipe.merges = fields.flag("merges", recipe.merges);
     fields.finish();
@@ -185,6 +201,11 @@ class Reader {
     const Json* const base_json = fields.object("base");
     stages->mesh = parts_.base.empty() ? mesh : read_mesh(parts_.base, base_json, n_source_faces);
     fields.finish();
+    // Without its parts the whole is not stored: another recipe makes it anew.
+    if (stages->recipe.left_out.empty()) {
+      stages->whole = stages->mesh;
+      stages->repaired = stages->done;
+    }
     made->stages = std::move(stages);
     project.dual = made->dual;
     project.made = std::move(made);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "core/mesh/repair.h"
 #include "core/mesh/soup.h"
 
 namespace netwright {
@@ -15,11 +17,15 @@ enum class UnevenFaces {
   Flatten,  ///< move corners until all faces are flat (the paper's section 4.1)
 };
 
-/// Done in the order of the members.
+/// Done in the order of the members. Plain data that means the same when it is read back from a file years
+/// later: lengths are in the file's own units, faces are those of the file, counted from 0.
 struct Recipe {
-  std::optional<UpAxis> up{};  ///< which way is up, when the format's custom is wrong
-  bool repairs = false;  ///< everything that repair_all() can put right, uneven faces split unless flattened
+  std::optional<UpAxis> up{};    ///< which way is up, when the format's custom is wrong
+  Repairs repairs = kNoRepairs;  ///< which steps of repair, and how far they go
   UnevenFaces uneven = UnevenFaces::Refuse;
+  /// Parts of the model (what hangs together along edges) that get no piece: one face of the file for each,
+  /// the least of the part's, in order. A part of which any face is named is left out.
+  std::vector<int> left_out{};
   int faces = 0;        ///< simplify to at most so many; 0 = keep all
   bool merges = false;  ///< neighbours of one plane become one face
   bool operator==(const Recipe&) const = default;

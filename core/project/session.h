@@ -71,22 +71,23 @@ class Session {
   /// repaired without being asked.
   struct Pending {
     std::string name;
-    MeshReport report;                 ///< of the file
-    std::string refusal;               ///< why it cannot be unfolded, one sentence
-    std::vector<std::string> repairs;  ///< what repairing would do, whole sentences
-    int n_faces_repaired = 0;
-    bool can_flatten = false;  ///< uneven faces may be flattened instead of split
+    MeshReport report;                      ///< of the file
+    std::string refusal;                    ///< why it cannot be unfolded, one sentence
+    Recipe recipe;                          ///< which repairs are wanted; usual_repair() at first
+    std::shared_ptr<const MadeModel> made;  ///< what comes of them, with a survey; by the recipe before
+                                            ///< while is_making()
+    [[nodiscard]] bool is_fit() const { return made->dual != nullptr; }
   };
   [[nodiscard]] const Pending* pending() const;  ///< null when there is none
-  void repair_pending();                         ///< opens it repaired, uneven faces split into triangles
-  void flatten_pending();                        ///< opens it repaired, uneven faces flattened; a chore
+  void try_pending(const Recipe& recipe);        ///< tries other repairs, as a chore
+  void repair_pending();                         ///< opens what has come of them, if that is fit
   void drop_pending();
 
   // How the mesh is made of the file; each change is one undo step with a name, made as a chore on the
   // worker. A net of the old mesh goes, a running search starts again on the new one.
   [[nodiscard]] const Recipe& recipe() const { return project().recipe; }
   /// A mesh is being made, for pending() or by a new recipe; chore() tells how far it is, cancel_opening()
-  /// gives it up.
+  /// gives it up (then the repairs tried before are wanted again).
   [[nodiscard]] bool is_making() const;
   /// The recipe as it will be when the chore in hand is done: what switches and sliders should show.
   [[nodiscard]] Recipe wanted_recipe() const;

@@ -49,6 +49,7 @@ struct Session::Impl {
   struct Waiting {
     Pending shown;
     OpenedModel model;
+    Recipe tried;  ///< what shown.made was made by
   };
   /// A replay being shown, and since when.
   struct Playing {
@@ -67,6 +68,7 @@ struct Session::Impl {
   bool take_leftovers();
   bool watch_files();
   bool take_made();
+  void take_tried(const Made& made);
   bool take_derived();
   bool take_exports();
   bool take_run();
@@ -82,6 +84,7 @@ struct Session::Impl {
   void open(ModelSource source);
   void adopt(const OpenedModel& model, const Recipe& recipe, const std::shared_ptr<const MadeModel>& made);
   void replace(Project next);  ///< takes the present project's place, with a history of its own
+  void tell_about(const OpenedModel& model, const MadeModel& made);
   void make(Making wanted);
   void cancel_making();
   void part_net_from_step();

@@ -2,6 +2,7 @@
 // the recipe changes.
 #include <cmath>
 
+#include "core/base/counted.h"
 #include "core/mesh/mesh_report.h"
 #include "core/project/carry_pins.h"
 #include "core/project/commands.h"
@@ -51,14 +52,14 @@ bool Session::Impl::take_opened() {
     adopt(model, {}, std::make_shared<const MadeModel>(model.made));
     return true;
   }
-  waiting.emplace(Waiting{{}, model});
+  cancel_making();
+  waiting.emplace(Waiting{{}, model, usual_repair()});
   Pending& shown = waiting->shown;
   shown.name = model.source->name;
   shown.report = report_on(*model.source);
   shown.refusal = model.made.refusal;
-  shown.repairs = model.repaired->done;
-  shown.n_faces_repaired = static_cast<int>(model.repaired->dual->mesh().n_faces());
-  shown.can_flatten = shown.report.count(MeshReport::Topic::UnevenFaces) > 0;
+  shown.recipe = usual_repair();
+  shown.made = model.repaired;
   return true;
 }
 
@@ -80,8 +81,23 @@ void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
   next.made = made;
   replace(std::move(next));
   keeper.adopt_saved(project(), {});
-  for (const std::string& notice : model.notices) say(Message::Kind::Notice, notice);
-  for (const std::string& sentence : made->done) say(Message::Kind::Notice, sentence);
+  tell_about(model, *made);
+}
+
+// The sentences stay to be read in the model's report; what fades after some seconds says no more than that.
+void Session::Impl::tell_about(const OpenedModel& model, const MadeModel& made) {
+  const std::string& name = model.source->name;
+  if (!made.done.empty()) {
+    say(Message::Kind::Notice,
+        name + " was repaired: " + counted(model.source->n_faces(), "face", "faces") + " before, " +
+            grouped(static_cast<std::int64_t>(made.dual->mesh().n_faces())) + " after.");
+  } else if (model.notices.size() == 1) {
+    say(Message::Kind::Notice, model.notices.front());
+  } else if (!model.notices.empty()) {
+    say(Message::Kind::Notice, name + ": its report has " +
+                                   counted(static_cast<std::int64_t>(model.notices.size()), "note", "notes") +
+                                   ".");
+  }
 }
 
 void Session::Impl::make(Making wanted) {
@@ -94,8 +110,9 @@ void Session::Impl::make(Making wanted) {
                                            before = waiting ? nullptr : project().made](Progress& progress) {
         auto made = std::make_shared<Made>();
         try {
-          made->model = std::make_shared<const MadeModel>(
-              make_model(source, recipe, before ? before->stages : nullptr, progress));
+          MadeModel model = make_model(source, recipe, before ? before->stages : nullptr, progress);
+          add_survey(model, progress);
+          made->model = std::make_shared<const MadeModel>(std::move(model));
         } catch (...) {
           made->fault = sentence_for_current_exception("Changing the model");
         }
@@ -121,19 +138,28 @@ void Session::Impl::part_net_from_step() {
   history.push("unfold", std::move(with_net));
 }
 
+// For a waiting file the mesh is only a proposal.
+void Session::Impl::take_tried(const Made& made) {
+  if (made.model) {
+    waiting->shown.made = made.model;
+    waiting->tried = making.recipe;
+  } else {
+    waiting->shown.recipe = waiting->tried;
+    say(Message::Kind::Error, made.fault);
+  }
+}
+
 bool Session::Impl::take_made() {
   const std::shared_ptr<const Made> made = chore_making ? chore_making->result.take() : nullptr;
   if (!made) return false;
   chore_making = nullptr;
+  if (waiting) {
+    take_tried(*made);
+    return true;
+  }
   if (!made->model || !made->model->dual) {
     queued.reset();
     say(Message::Kind::Error, made->model ? made->model->refusal : made->fault);
-    return true;
-  }
-  if (waiting) {
-    const OpenedModel model = std::move(waiting->model);
-    waiting.reset();
-    adopt(model, making.recipe, made->model);
     return true;
   }
   const bool was_running = run != nullptr;
@@ -172,22 +198,24 @@ void Session::cancel_opening() {
   impl_->opening = nullptr;
   impl_->opening_slot.reset();
   impl_->cancel_making();
+  if (impl_->waiting) impl_->waiting->shown.recipe = impl_->waiting->tried;
 }
 
 const MeshReport* Session::report() const { return has_model() ? &project().made->report : nullptr; }
 
 const Session::Pending* Session::pending() const { return impl_->waiting ? &impl_->waiting->shown : nullptr; }
 
-void Session::repair_pending() {
-  if (!impl_->waiting) return;
-  const OpenedModel model = std::move(impl_->waiting->model);
-  impl_->waiting.reset();
-  impl_->adopt(model, kRepairing, model.repaired);
+void Session::try_pending(const Recipe& recipe) {
+  if (!impl_->waiting || recipe == impl_->waiting->shown.recipe) return;
+  impl_->waiting->shown.recipe = recipe;
+  impl_->make({recipe, "", false, false});
 }
 
-void Session::flatten_pending() {
-  if (!impl_->waiting) return;
-  impl_->make({{.repairs = true, .uneven = UnevenFaces::Flatten}, "", false, false});
+void Session::repair_pending() {
+  if (!impl_->waiting || is_making() || !impl_->waiting->shown.is_fit()) return;
+  const Impl::Waiting agreed = std::move(*impl_->waiting);
+  impl_->waiting.reset();
+  impl_->adopt(agreed.model, agreed.tried, agreed.shown.made);
 }
 
 void Session::drop_pending() {

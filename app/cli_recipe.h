@@ -1,0 +1,25 @@
+// What options say about a model that can only be understood once its file is read: lengths in mm, parts by
+// number, and hints at the options that would help.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/cli_options.h"
+#include "core/project/make_model.h"
+
+namespace netwright {
+
+/// Makes the mesh by the command's recipe and hands the recipe back as it was understood. Throws Error(Usage)
+/// for a part that is not there and Error(Unfit), with the option that cures it, when the model is not fit.
+struct ToldModel {
+  Recipe recipe;
+  std::shared_ptr<const MadeModel> made;
+};
+ToldModel make_as_told(const std::shared_ptr<const PolygonSoup>& source, const UnfoldCommand& command,
+                       Progress& progress);
+
+/// One sentence where the file's size can hardly be meant and the command leaves it open; else empty.
+std::string size_notice(const UnfoldCommand& command, const PolygonSoup& source, const Mesh& mesh);
+
+}  // namespace netwright
