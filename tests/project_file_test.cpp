@@ -113,7 +113,8 @@ TEST(ProjectFile, KeepsRepairedSplitAndTurnedModels) {
   broken.add_face(std::vector<int>(broken.face(0).begin(), broken.face(0).end()));
   broken.points.back() += glm::dvec3(0.1, 0.2, 0.15);
   for (const UnevenFaces uneven : {UnevenFaces::Split, UnevenFaces::Flatten}) {
-    const Project project = solved(project_of(broken, {.up = UpAxis::Z, .repairs = Repairs{}, .uneven = uneven}));
+    const Project project =
+        solved(project_of(broken, {.up = UpAxis::Z, .repairs = Repairs{}, .uneven = uneven}));
     EXPECT_FALSE(project.made->done.empty());
     expect_same(project, reopened(project));
   }

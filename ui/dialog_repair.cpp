@@ -8,6 +8,7 @@
 #include "assets/icons.h"
 #include "ui/actions.h"
 #include "ui/dialogs.h"
+#include "ui/repair_rows.h"
 #include "ui/status.h"
 #include "ui/widgets.h"
 
@@ -41,9 +42,9 @@ std::string without_advice(std::string text) {
   return text;
 }
 
-/// The refusal without the file's name, which is in the title.
-std::string reason_alone(const Session::Pending& pending) {
-  std::string text = without_advice(pending.refusal);
+/// A refusal without the file's name, which is in the title.
+std::string reason_alone(const Session::Pending& pending, const std::string& refusal) {
+  std::string text = without_advice(refusal);
   if (text.starts_with(pending.name + ": ")) text.erase(0, pending.name.size() + 2);
   if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;
@@ -69,7 +70,7 @@ void describe(const UiState& ui, const Session::Pending& pending) {
   const Colours& colours = ui.look.colours;
   if (!ui.error.empty()) sentence(ui, icon::kError, colours.bad, ui.error);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(reason_alone(pending).c_str());
+  ImGui::TextUnformatted(reason_alone(pending, pending.refusal).c_str());
   ImGui::PopTextWrapPos();
   note_widget(ui, "repair/refusal");
   heading(ui, "What is wrong");
@@ -78,21 +79,47 @@ void describe(const UiState& ui, const Session::Pending& pending) {
     sentence(ui, icon::kError, colours.bad, without_advice(line.text));
     note_widget(ui, "repair/" + std::string(topic_name(line.topic)));
   }
-  heading(ui, "Result of repairing");
-  for (const std::string& repair : pending.repairs) sentence(ui, icon::kDone, colours.good, repair);
-  text_muted(ui, before_and_after(pending.report.n_faces, pending.n_faces_repaired));
+}
+
+/// What comes of the repairs that are wanted.
+void outcome(const UiState& ui, const Session::Pending& pending) {
+  heading(ui, "Result");
+  if (!pending.is_fit()) {
+    sentence(ui, icon::kError, ui.look.colours.bad,
+             "That is not enough: " + reason_alone(pending, pending.made->refusal));
+    note_widget(ui, "repair/not-enough");
+    return;
+  }
+  for (const std::string& done : beyond_rows(*pending.made->stages))
+    sentence(ui, icon::kDone, ui.look.colours.good, done);
+  const auto n_after = static_cast<int>(pending.made->dual->mesh().n_faces());
+  text_muted(ui, before_and_after(pending.report.n_faces, n_after));
   note_widget(ui, "repair/faces");
+}
+
+/// The steps, each with its switch; a change is tried at once.
+void choose(UiContext& context, const Session::Pending& pending) {
+  UiState& ui = context.ui;
+  heading(ui, "Repairs");
+  const double unit_mm = guess_unit(*pending.made->stages->source).in_mm;
+  const float width = ImGui::GetContentRegionAvail().x - ui.look.px(4);
+  const auto change = repair_rows(ui, pending.recipe, pending.made->stages->survey->repairs, unit_mm, width);
+  if (change) {
+    ui.error.clear();
+    context.session.try_pending(change->recipe);
+  }
 }
 
 }  // namespace
 
-void Dialogs::draw_flattening(UiContext& context) {
+void Dialogs::draw_trying(UiContext& context) {
   const UiState& ui = context.ui;
   const auto chore = context.session.chore();
   const double fraction = chore == nullptr ? 0 : chore->fraction();
   const float bottom = ImGui::GetWindowHeight() - ui.look.px(48);
   ImGui::SetCursorPos(ImVec2(ui.look.px(20), bottom));
-  text_small(ui, "Flattening faces… " + std::to_string(std::lround(fraction * 100)) + " %");
+  text_small(ui, (chore == nullptr ? "" : chore->phase()) + "… " +
+                     std::to_string(std::lround(fraction * 100)) + " %");
   ImGui::SetCursorPos(ImVec2(ui.look.px(20), bottom + ui.look.px(22)));
   progress_line(ui, ui.look.px(200), fraction);
   note_widget(ui, "repair/progress");
@@ -102,20 +129,21 @@ void Dialogs::draw_flattening(UiContext& context) {
   if (footer(context, {"Stop", true, false}) || is_escaped) context.session.cancel_opening();
 }
 
-void Dialogs::draw_choices(UiContext& context, bool can_flatten) {
+void Dialogs::draw_choices(UiContext& context, const Session::Pending& pending) {
   UiState& ui = context.ui;
   Session& session = context.session;
-  if (can_flatten) {
-    ButtonSpec flatten{"repair/flatten", "Flatten faces instead"};
-    flatten.kind = ButtonKind::Outlined;
-    flatten.tip = "Moves corners until every face is flat, so that none has to be split into triangles";
+  const bool is_all = with_all_repairs(pending.recipe) == pending.recipe;
+  if (!is_all) {
+    ButtonSpec all{"repair/all", "All repairs"};
+    all.kind = ButtonKind::Outlined;
+    all.tip = "Switches on everything that changes nothing but faults";
     ImGui::SetCursorPos(ImVec2(ui.look.px(20), ImGui::GetWindowHeight() - ui.look.px(48)));
-    if (button(ui, flatten)) {
-      ui.error.clear();
-      session.flatten_pending();
-    }
+    if (button(ui, all)) session.try_pending(with_all_repairs(pending.recipe));
   }
-  const bool is_accepted = footer(context, {"Repair"});
+  Footer what{is_all ? "Repair all" : "Repair"};
+  what.is_enabled = pending.is_fit() && !session.is_making();
+  what.why_not = session.is_making() ? "Still trying these repairs." : "These repairs are not enough.";
+  const bool is_accepted = footer(context, what);
   const bool is_cancelled = present_ == Dialog::None;
   if (is_cancelled) {
     session.drop_pending();
@@ -135,14 +163,18 @@ void Dialogs::draw_repair(UiContext& context) {
     ImGui::BeginChild("about", ImVec2(0, ImGui::GetContentRegionAvail().y - ui.look.px(44)));
     const float top = ImGui::GetCursorPosY();
     describe(ui, *pending);
+    choose(context, *pending);
+    outcome(ui, *pending);
     const float drawn = ImGui::GetCursorPosY() - top;
     if (drawn != repair_height_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
     repair_height_ = drawn;
     ImGui::EndChild();
-    if (context.session.is_making()) {
-      draw_flattening(context);
+    // What takes only a moment would but flicker.
+    constexpr double kNoticeable_s = 0.3;
+    if (context.session.is_making() && ui.now - ui.chore_since > kNoticeable_s) {
+      draw_trying(context);
     } else {
-      draw_choices(context, pending->can_flatten);
+      draw_choices(context, *pending);
     }
   }
   if (present_ == Dialog::Repair && context.session.pending() == nullptr) {

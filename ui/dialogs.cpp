@@ -118,7 +118,7 @@ bool Dialogs::footer(UiContext& context, const Footer& what) {
   ButtonSpec main{"dialog/accept", what.label};
   main.kind = ButtonKind::Accent;
   main.is_enabled = what.is_enabled;
-  if (!what.is_enabled) main.tip = "Choose a file first.";
+  if (!what.is_enabled) main.tip = what.why_not;
   main.width = std::max(button_width(ui, main), ui.look.px(96));
   ButtonSpec cancel{"dialog/cancel", "Cancel"};
   cancel.kind = ButtonKind::Outlined;

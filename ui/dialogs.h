@@ -31,8 +31,8 @@ class Dialogs {
   void draw_about(UiContext& context);
   // dialog_repair.cpp
   void draw_repair(UiContext& context);
-  void draw_flattening(UiContext& context);
-  void draw_choices(UiContext& context, bool can_flatten);
+  void draw_trying(UiContext& context);
+  void draw_choices(UiContext& context, const Session::Pending& pending);
   // dialog_project.cpp
   void begin_save(const UiContext& context);
   void draw_save(UiContext& context);
@@ -47,6 +47,7 @@ class Dialogs {
     bool is_enabled = true;
     bool has_cancel = true;
     std::string notice = {};
+    std::string why_not = "Choose a file first.";  ///< said when it is not enabled
   };
   /// True when the main button was pressed.
   bool footer(UiContext& context, const Footer& what);

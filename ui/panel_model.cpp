@@ -75,19 +75,6 @@ void report_line(UiContext& context, std::size_t index, const MeshReport::Line& 
                room - indent);
 }
 
-/// What was done to the file's faces before anything was simplified or merged.
-void done_lines(const UiContext& context) {
-  const UiState& ui = context.ui;
-  for (const std::string& sentence : context.session.project().made->stages->done) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddText(at, ui.look.colours.good, icon::kDone);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.look.px(24));
-    ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - ui.look.px(16));
-    text_muted(ui, sentence);
-    ImGui::PopTextWrapPos();
-  }
-}
-
 /// Formats have their customs, programs don't always keep to them.
 void up_row(UiContext& context) {
   Recipe recipe = context.session.recipe();
@@ -112,8 +99,9 @@ void panel_model(UiContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), ui.look.px(6)));
   ImGui::Dummy(ImVec2(0, 0));
   for (std::size_t i = 0; i < report->lines.size(); ++i) report_line(context, i, report->lines[i]);
-  done_lines(context);
   up_row(context);
+  panel_repairs(context);
+  panel_parts(context);
   ImGui::PopStyleVar();
   panel_faces(context);
 }

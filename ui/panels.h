@@ -11,7 +11,10 @@ namespace netwright {
 void side_panel(UiContext& context);
 
 void panel_model(UiContext& context);
-/// How many faces: part of the model's section.
+/// Parts of the model's section: which repairs, which parts of the model,
+void panel_repairs(UiContext& context);
+void panel_parts(UiContext& context);
+/// and how many faces.
 void panel_faces(UiContext& context);
 void panel_solve(UiContext& context);
 /// Part of the search's section; nothing where nothing is pinned.

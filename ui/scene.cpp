@@ -99,6 +99,7 @@ void Scene::mark_faces(const UiContext& context) {
   const UiState& ui = context.ui;
   if (!ui.hovered_side.is_valid()) states_.add(ui.hovered, FaceState::Hovered);
   for (const FaceId face : ui.selected_faces) states_.add(face, FaceState::Selected);
+  for (const FaceId face : ui.hovered_part_faces) states_.add(face, FaceState::Hovered);
   for (const FaceId face : ui.lit_faces) {
     states_.add(face, FaceState::Hovered);
     states_.add(face, FaceState::Selected);
@@ -144,6 +145,8 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     ui.measuring = Measuring();
     ui.lit_line.reset();
     ui.lit_faces.clear();
+    ui.hovered_part.reset();
+    ui.hovered_part_faces.clear();
   }
   if (const auto& source = context.session.project().source; source != source_) {
     source_ = source;

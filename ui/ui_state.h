@@ -82,6 +82,9 @@ struct UiState {
   /// The line of the model's report whose culprits are lit in both views, and these; gone with the mesh.
   std::optional<std::size_t> lit_line;
   std::vector<FaceId> lit_faces;
+  /// The part of the model under the pointer in the list of parts, and its faces; gone with the mesh.
+  std::optional<std::size_t> hovered_part;
+  std::vector<FaceId> hovered_part_faces;
   Folding folding;
   Measuring measuring;
   Editing editing;
