@@ -67,7 +67,7 @@ ToldModel make_as_told(const std::shared_ptr<const PolygonSoup>& source, const U
 
 std::string size_notice(const UnfoldCommand& command, const PolygonSoup& source, const Mesh& mesh) {
   const RealSize size = real_size(source, mesh);
-  if (!size.is_odd() || command.given.size || command.outputs.empty()) return "";
+  if (!size.is_worth_asking() || command.given.size || command.outputs.empty()) return "";
   const std::string usual = std::to_string(static_cast<int>(kUsualHeight));
   return "By its file " + source.name + " is " + real_length_text(size.height_mm) +
          " tall; it is printed as large as a page allows, or " + usual + " mm tall with --height " + usual +

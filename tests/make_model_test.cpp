@@ -211,6 +211,16 @@ TEST(RealSize, IsOddUnderTenMillimetresAndOverTwoMetres) {
   EXPECT_FALSE(odd(3.2, "a.obj")) << "centimetres, probably";
 }
 
+TEST(RealSize, OfASheetOnTheTableIsNotAskedFor) {
+  const auto is_asked = [](glm::dvec3 size) {
+    PolygonSoup soup = shapes::cuboid(size);
+    return real_size(soup, *testing::make_mesh(soup)).is_worth_asking();
+  };
+  EXPECT_TRUE(is_asked({3000, 3000, 3000}));
+  EXPECT_FALSE(is_asked({3000, 1, 3000}));
+  EXPECT_FALSE(is_asked({300, 300, 300}));
+}
+
 TEST(RealSize, IsToldInTheUnitThatFits) {
   EXPECT_EQ(real_length_text(0.0021), "0.0021 mm");
   EXPECT_EQ(real_length_text(8.31), "8.3 mm");

@@ -256,7 +256,7 @@ TEST(ModelPanel, OneToastTellsOfARepairAndThePanelKeepsTheSteps) {
 PolygonSoup three_parts() {
   PolygonSoup big = shapes::icosphere(2);
   for (glm::dvec3& p : big.points) p *= 8;
-  const PolygonSoup ball = shapes::combined(shapes::cube(1), big, {85, 2, 3});
+  const PolygonSoup ball = shapes::combined(shapes::cube(1), big, {85, 20, 3});
   return shapes::combined(ball, shapes::cube(40), {80, 0, 0});
 }
 
@@ -294,6 +294,42 @@ TEST(ModelPanel, PartsAreLitLeftOutAndTakenBack) {
   for (int i = 0; i < 3; ++i) gui.key('Z', kControl);
   EXPECT_FALSE(gui.session().can_undo());
   EXPECT_EQ(n_faces(gui), 92U);
+}
+
+void open_huge_cube(Gui& gui) {
+  gui.session().open_bytes("huge.obj", shapes::to_obj(shapes::cube(3200)));
+  ASSERT_TRUE(gui.until([&] { return gui.session().has_model(); })) << gui.ui().error;
+  gui.frames(3);
+}
+
+TEST(SizeBar, AsksOnceHowTallAHugeModelShallBe) {
+  Gui gui;
+  gui.open_sample("Cube");
+  EXPECT_FALSE(gui.widgets.find("size/height").has_value());
+  open_huge_cube(gui);
+  ASSERT_TRUE(gui.session().asked_size());
+  EXPECT_DOUBLE_EQ(gui.session().asked_size()->height_mm, 3200);
+  gui.enter("size/height", "120");
+  gui.click("size/set");
+  gui.frames(2);
+  EXPECT_FALSE(gui.widgets.find("size/height").has_value());
+  EXPECT_EQ(gui.session().project().size, (PrintSize{PrintSize::Kind::Height, 120}));
+  EXPECT_EQ(gui.session().undo_label(), "Undo print size");
+  gui.key('Z', kControl);
+  gui.frames(2);
+  EXPECT_EQ(gui.session().project().size.kind, PrintSize::Kind::FitPage);
+  EXPECT_FALSE(gui.widgets.find("size/height").has_value()) << "it asks once";
+}
+
+TEST(SizeBar, KeepsTheSizeWhenToldTo) {
+  Gui gui({700, 700});
+  open_huge_cube(gui);
+  EXPECT_LE(gui.rect("size/keep").max.x, 700);
+  gui.click("size/keep");
+  gui.frames(2);
+  EXPECT_FALSE(gui.widgets.find("size/keep").has_value());
+  EXPECT_EQ(gui.session().project().size, PrintSize{});
+  EXPECT_FALSE(gui.session().can_undo());
 }
 
 TEST(ModelPanel, AWholeDragOfTheSliderIsOneUndoStep) {

@@ -104,6 +104,8 @@ struct UiState {
   std::deque<Toast> toasts;
   double toasts_held_at = -1;  ///< the last frame a dialog held the toasts back; negative while none does
 
+  double asked_height_mm = 0;  ///< what stands in the field of the question about the size; 0 = the usual
+
   std::uint64_t draft = 0;  ///< bits of the number being typed, until the field is left
 
   // Wishes of actions, fulfilled by the views in the next frame.

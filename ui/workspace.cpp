@@ -7,6 +7,7 @@
 #include "ui/frame_parts.h"
 #include "ui/messages.h"
 #include "ui/panels.h"
+#include "ui/size_bar.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -99,6 +100,11 @@ void Workspace::draw_views(UiContext& context, ImVec2 min, ImVec2 size) {
   UiState& ui = context.ui;
   if (const float bar = error_bar_height(ui, size.x); bar > 0) {
     area("##error", min, ImVec2(size.x, bar), ImVec2(0, 0), false, [&] { draw_error_bar(ui); });
+    min.y += bar;
+    size.y -= bar;
+  }
+  if (const float bar = size_bar_height(context, size.x); bar > 0) {
+    area("##size", min, ImVec2(size.x, bar), ImVec2(0, 0), false, [&] { draw_size_bar(context); });
     min.y += bar;
     size.y -= bar;
   }

@@ -10,8 +10,8 @@
 namespace netwright {
 namespace {
 
-constexpr double kSmallest = 10;
-constexpr double kLargest = 2000;
+constexpr double kSmallest_mm = 10;
+constexpr double kLargest_mm = 2000;
 
 /// Two digits that matter, none of them behind a dot from ten on.
 std::string two_digits(double value) {
@@ -22,7 +22,12 @@ std::string two_digits(double value) {
 
 }  // namespace
 
-bool RealSize::is_odd() const { return longest_mm < kSmallest || longest_mm > kLargest; }
+bool RealSize::is_odd() const { return longest_mm < kSmallest_mm || longest_mm > kLargest_mm; }
+
+bool RealSize::is_worth_asking() const {
+  constexpr double kLeastHeight = 0.01;  // of the longest side
+  return is_odd() && height_mm > kLeastHeight * longest_mm;
+}
 
 RealSize real_size(const PolygonSoup& source, const Mesh& mesh) {
   const double in_mm = guess_unit(source).in_mm;

@@ -12,6 +12,8 @@ struct RealSize {
   double longest_mm = 0;  ///< the longest side of the box around it
   /// Under 10 mm or over 2 m: a unit that got lost, or a thing that nobody folds at its own size.
   [[nodiscard]] bool is_odd() const;
+  /// Odd, and a height says how large it shall be; that of a sheet that lies on the table says nothing.
+  [[nodiscard]] bool is_worth_asking() const;
 };
 
 /// What to propose instead, in mm: a model that stands on a table and takes a few pages.

@@ -240,7 +240,11 @@ void Session::set_paper(const PaperSetup& paper) {
   if (paper != project().paper) impl_->edit("paper", netwright::set_paper(project(), paper));
 }
 
+const std::optional<RealSize>& Session::asked_size() const { return impl_->asked_size; }
+void Session::leave_size() { impl_->asked_size.reset(); }
+
 void Session::set_size(const PrintSize& size) {
+  leave_size();
   if (size != project().size) impl_->edit("print size", netwright::set_size(project(), size));
 }
 

@@ -14,6 +14,7 @@
 #include "core/mesh/read.h"
 #include "core/project/autosave.h"
 #include "core/project/project.h"
+#include "core/project/real_size.h"
 #include "core/project/run_figures.h"
 #include "core/project/shown_net.h"
 #include "core/sheet/pages.h"
@@ -153,6 +154,10 @@ class Session {
   [[nodiscard]] bool keeps_pins() const;
   void set_paper(const PaperSetup& paper);
   void set_size(const PrintSize& size);
+  /// How large the model is by its file, as long as that can hardly be meant and the user has not said what
+  /// is: asked once for each model that is opened. Answered by set_size() or leave_size().
+  [[nodiscard]] const std::optional<RealSize>& asked_size() const;
+  void leave_size();
   [[nodiscard]] bool can_undo() const;
   [[nodiscard]] bool can_redo() const;
   /// "Undo pin root", ready for a menu; just "Undo" when there is nothing to undo.

@@ -126,6 +126,7 @@ struct Session::Impl {
 
   std::shared_ptr<Chore<Opened>> opening;
   std::optional<Waiting> waiting;
+  std::optional<RealSize> asked_size;  ///< until the user has said how tall the model shall be
   std::shared_ptr<Chore<Made>> chore_making;
   Making making;
   std::optional<Making> queued;  ///< the slider's latest wish; the mesh in hand is shown first

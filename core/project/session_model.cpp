@@ -82,6 +82,8 @@ void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
   replace(std::move(next));
   keeper.adopt_saved(project(), {});
   tell_about(model, *made);
+  const RealSize size = real_size(*model.source, made->dual->mesh());
+  asked_size = size.is_worth_asking() ? std::optional(size) : std::nullopt;
 }
 
 // The sentences stay to be read in the model's report; what fades after some seconds says no more than that.

@@ -1,0 +1,103 @@
+// A bar above the views: it asks, but keeps nobody from going on.
+#include "ui/size_bar.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "assets/icons.h"
+#include "ui/lengths.h"
+#include "ui/widgets.h"
+
+namespace netwright {
+namespace {
+
+constexpr float kPadding = 12;
+constexpr float kTextLeft = 44;
+constexpr float kFieldWidth = 88;
+constexpr float kGap = 8;
+constexpr double kLeastHeight_mm = 5;
+constexpr double kMostHeight_mm = 5000;
+
+ButtonSpec set_button() {
+  ButtonSpec spec{"size/set", "Set height"};
+  spec.kind = ButtonKind::Accent;
+  spec.tip = "Prints the model that tall, over as many pages as it takes";
+  return spec;
+}
+
+ButtonSpec keep_button(const UiContext& context) {
+  const bool fits_page = context.session.project().size.kind == PrintSize::Kind::FitPage;
+  ButtonSpec spec{"size/keep", fits_page ? "Keep fitting the page" : "Keep"};
+  spec.kind = ButtonKind::Outlined;
+  spec.tip =
+      fits_page ? "Prints it as large as one page allows, as it would be now" : "Leaves its size as it is";
+  return spec;
+}
+
+float controls_width(const UiContext& context) {
+  const UiState& ui = context.ui;
+  return ui.look.px(kFieldWidth) + button_width(ui, set_button()) + button_width(ui, keep_button(context)) +
+         ui.look.px(2 * kGap);
+}
+
+std::string question(const UiContext& context) {
+  const double height_mm = context.session.asked_size()->height_mm;
+  const bool is_inch = context.ui.settings.unit == LengthUnit::Inch;
+  return "By its file the model is " +
+         (is_inch ? length_text(height_mm, LengthUnit::Inch) : real_length_text(height_mm)) +
+         " tall. How tall shall it be?";
+}
+
+/// The controls stand beside the question where there is room for both, else below it.
+bool is_one_line(const UiContext& context, float width) {
+  const UiState& ui = context.ui;
+  const float text = ImGui::CalcTextSize(question(context).c_str()).x;
+  return ui.look.px(kTextLeft + kGap + kPadding) + text + controls_width(context) <= width;
+}
+
+}  // namespace
+
+float size_bar_height(const UiContext& context, float width) {
+  if (!context.session.asked_size()) return 0;
+  const Look& look = context.ui.look;
+  const float line = look.px(32 + 2 * 6);
+  if (is_one_line(context, width)) return line;
+  const float wrap = width - look.px(kTextLeft + kPadding);
+  const ImVec2 text = ImGui::CalcTextSize(question(context).c_str(), nullptr, false, wrap);
+  return std::ceil(text.y + look.px(kPadding) + line);
+}
+
+void draw_size_bar(UiContext& context) {
+  UiState& ui = context.ui;
+  const Look& look = ui.look;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, look.colours.tint);
+  draw.AddRectFilled(min, ImVec2(min.x + look.px(4), max.y), look.colours.accent);
+  draw.AddText(ImVec2(min.x + look.px(16), min.y + look.px(kPadding)), look.colours.on_tint, icon::kRuler);
+  draw.AddText(nullptr, 0, ImVec2(min.x + look.px(kTextLeft), min.y + look.px(kPadding)), look.colours.text,
+               question(context).c_str(), nullptr, size.x - look.px(kTextLeft + kPadding));
+  const bool is_beside = is_one_line(context, size.x);
+  const float x =
+      is_beside ? max.x - look.px(kPadding) - controls_width(context) : min.x + look.px(kTextLeft);
+  ImGui::SetCursorScreenPos(ImVec2(x, max.y - look.px(38)));
+  const LengthUnit unit = ui.settings.unit;
+  if (ui.asked_height_mm <= 0) ui.asked_height_mm = kUsualHeight;
+  double height = ui.asked_height_mm / in_millimetres(unit);
+  ImGui::SetNextItemWidth(look.px(kFieldWidth));
+  if (number_field(ui, "size/height", height, field_format(unit)))
+    ui.asked_height_mm = std::clamp(height * in_millimetres(unit), kLeastHeight_mm, kMostHeight_mm);
+  ImGui::SameLine(0, look.px(kGap));
+  const bool is_set = button(ui, set_button());
+  ImGui::SameLine(0, look.px(kGap));
+  if (button(ui, keep_button(context))) context.session.leave_size();
+  if (is_set) context.session.set_size({PrintSize::Kind::Height, ui.asked_height_mm});
+  if (!context.session.asked_size()) ui.asked_height_mm = 0;
+}
+
+}  // namespace netwright
