@@ -133,6 +133,9 @@ TEST(ProjectFile, KeepsWhichRepairsWereWantedAndWhichPartsWereLeftOut) {
   const Project again = reopened(project);
   expect_same(project, again);
   Progress progress;
+  MadeModel looked_at = *again.made;
+  add_survey(looked_at, progress);
+  EXPECT_EQ(looked_at.stages->survey->parts.size(), 2U) << "the part that was left out can be taken back";
   recipe.left_out.clear();
   expect_same(make_model(project.source, recipe, project.made->stages, progress),
               make_model(again.source, recipe, again.made->stages, progress));

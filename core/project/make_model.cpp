@@ -165,6 +165,18 @@ MadeModel make_model(const std::shared_ptr<const PolygonSoup>& source, const Rec
   return Maker(source, recipe, progress).make(before);
 }
 
+namespace {
+
+/// A project's file leaves out the parts that its user did.
+void remake_whole(ModelStages& stages, Progress& progress) {
+  Recipe recipe{.up = stages.recipe.up, .repairs = stages.recipe.repairs, .uneven = stages.recipe.uneven};
+  const MadeModel all = make_model(stages.source, recipe, nullptr, progress);
+  stages.whole = all.stages->whole;
+  stages.repaired = all.stages->repaired;
+}
+
+}  // namespace
+
 void add_survey(MadeModel& model, Progress& progress) {
   if (model.stages->survey || progress.is_cancelled()) return;
   ModelStages stages = *model.stages;
@@ -173,6 +185,7 @@ void add_survey(MadeModel& model, Progress& progress) {
   for (RepairCount& count : survey->repairs.counts) {
     if (count.step == RepairStep::UnevenFaces && stages.recipe.uneven != UnevenFaces::Refuse) count.left = 0;
   }
+  if (!stages.whole && stages.mesh) remake_whole(stages, progress);
   if (stages.whole) survey->parts = parts_of(*stages.whole);
   stages.survey = std::move(survey);
   model.stages = std::make_shared<const ModelStages>(std::move(stages));

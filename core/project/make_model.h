@@ -24,8 +24,10 @@ struct ModelSurvey {
 /// What later recipes for the same file can take over: the mesh before simplifying, and its collapses.
 struct ModelStages {
   std::shared_ptr<const PolygonSoup> source;
-  Recipe recipe;                                 ///< only up, repairs, uneven and left_out count here
-  std::shared_ptr<const Mesh> whole;             ///< repaired, all faces flat, all parts
+  Recipe recipe;  ///< only up, repairs, uneven and left_out count here
+  /// Repaired, all faces flat, all parts. Null when a project with parts left out was opened, until
+  /// add_survey() or another recipe.
+  std::shared_ptr<const Mesh> whole;
   std::shared_ptr<const Mesh> mesh;              ///< without the parts that are left out
   std::vector<std::string> repaired;             ///< what was done for `whole`,
   std::vector<std::string> done;                 ///< and for `mesh`

@@ -23,6 +23,10 @@ void Session::Impl::open(ModelSource source) {
           if (is_project_file(model.path)) {
             progress.set_phase("Reading " + model.path.filename().string());
             opened->stored = load_project(model.path);
+            Project& project = opened->stored->project;
+            MadeModel made = *project.made;
+            add_survey(made, progress);
+            project.made = std::make_shared<const MadeModel>(std::move(made));
           } else {
             opened->model = open_model(model, progress);
           }
@@ -67,6 +71,7 @@ void Session::Impl::replace(Project next) {
   cancel_making();
   discard_run();
   playing.reset();
+  asked_size.reset();
   history = History(std::move(next));
   derived = nullptr;
   drop_result();
