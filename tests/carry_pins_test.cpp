@@ -24,7 +24,7 @@ TEST(CarryPins, TheSameMeshKeepsThemAll) {
 }
 
 TEST(CarryPins, SimplifyingKeepsWhatLiesNear) {
-  const auto mesh = testing::make_mesh(shapes::icosphere(4));
+  const auto mesh = testing::make_mesh(shapes::icosphere(8));
   Constraints pins;
   pins.root = FaceId(17);
   for (const int e : {5, 400, 900}) set_pin(pins, EdgeId(e), EdgePin::MustFold);
