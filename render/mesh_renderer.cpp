@@ -30,6 +30,7 @@ std::uint32_t style_of(EdgeKind kind) {
     case EdgeKind::Valley:
       return kValleyLine;
     case EdgeKind::Flat:
+    case EdgeKind::Hidden:
       return kFlatLine;
     case EdgeKind::Border:
       return kBorderLine;

@@ -38,6 +38,7 @@ std::uint32_t style_of(EdgeKind kind) {
     case EdgeKind::Border:
       return kBorderLine;
     case EdgeKind::Cut:
+    case EdgeKind::Hidden:  // never drawn
       break;
   }
   return kCutLine;
@@ -132,6 +133,7 @@ void NetRenderer::upload_lines(const Net& net, const IdVector<EdgeId, EdgeKind>&
   std::vector<LineSegment> cuts;
   std::vector<LineSegment> folds;
   for (const EdgeId e : mesh.edges()) {
+    if (kinds[e] == EdgeKind::Hidden) continue;
     const std::uint32_t style = style_of(kinds[e]);
     const HalfedgeId h = mesh.halfedge(e);
     const auto side = [&](HalfedgeId g) {

@@ -33,6 +33,7 @@ std::array<LineStyle, kOverlayStyles> overlay_styles(const Palette& palette, flo
   set(OverlayStyle::PinnedFold, palette.pinned_fold, 3.5F);
   set(OverlayStyle::PinnedCut, palette.pinned_cut, 3.5F);
   set(OverlayStyle::Patch, palette.patch, 3);
+  set(OverlayStyle::CulpritDot, full(palette.overlap), 9);
   // What is measured goes straight through the model and must be seen on all its way.
   set(OverlayStyle::Measured, palette.measure, 2, kMeasuredThrough);
   set(OverlayStyle::Dot, palette.measure, 7, kMeasuredThrough);

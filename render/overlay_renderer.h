@@ -15,12 +15,13 @@ enum class OverlayStyle : std::uint32_t {
   Hovered,
   Selected,
   Partner,     ///< thin: leads from one side of a cut to the other
-  Culprit,     ///< what is wrong
+  Culprit,     ///< what is wrong, or what the report speaks of
   Measured,    ///< a measured distance
   Dot,         ///< an end of a measured distance or of a partner's curve: a segment without length
   PinnedFold,  ///< has to be a fold
   PinnedCut,   ///< has to be a cut
   Patch,       ///< around faces that stay together
+  CulpritDot,  ///< the same as a point: a segment without length
   Rim,         ///< under a measured distance and dots, so that they stand out on everything
 };
 

@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "core/project/real_size.h"
 #include "core/solve/solve.h"
+#include "core/unfold/fold.h"
 #include "tests/support.h"
 
 namespace netwright {
@@ -246,6 +251,68 @@ TEST(MakeModel, ReportsWhatTheReaderMissed) {
     const MadeModel model = make_model(source, {.merges = merges}, nullptr, progress);
     EXPECT_EQ(model.report.count(MeshReport::Topic::MissingTextures), 1);
   }
+}
+
+TEST(MakeModel, EveryFaceOfTheFileIsFoundInTheMergedMesh) {
+  const auto grid = shared(shapes::grid_cube(3));
+  const MadeModel merged = make(grid, {.merges = true});
+  ASSERT_EQ(merged.dual->mesh().n_faces(), 6U);
+  for (int f = 0; f < 54; ++f) {
+    const std::vector<FaceId> faces = faces_made_of(merged.origins, std::array{f});
+    ASSERT_EQ(faces.size(), 1U) << f;
+    const std::vector<int>& group = merged.groups[faces.front()];
+    EXPECT_EQ(group.size(), 9U);
+    EXPECT_NE(std::ranges::find(group, f), group.end());
+    EXPECT_EQ(file_faces_of(merged.origins, faces.front()), group);
+  }
+}
+
+TEST(MakeModel, FacesThatSimplifyingSwallowedAreFoundInTheirHeirs) {
+  const auto ball = shared(shapes::icosphere(6));
+  const MadeModel fewer = make(ball, {.faces = 100});
+  const Mesh& mesh = fewer.dual->mesh();
+  for (int f = 0; f < ball->n_faces(); ++f) {
+    const std::vector<FaceId> faces = faces_made_of(fewer.origins, std::array{f});
+    ASSERT_EQ(faces.size(), 1U) << f;
+    const glm::dvec3 there = ball->points[static_cast<std::size_t>(ball->face(f)[0])];
+    EXPECT_LT(glm::distance(mesh.centre(faces.front()), there), 0.7) << "the heir is near by";
+  }
+}
+
+TEST(MakeModel, AGroupThatIsSplitAgainStaysAsItWasAndTheOthersMerge) {
+  const auto grid = shared(shapes::grid_cube(3));
+  const MadeModel merged = make(grid, {.merges = true});
+  const std::vector<int> group = merged.groups[FaceId(1)];
+  const MadeModel split = make(grid, {.merges = true, .apart = {group}});
+  EXPECT_EQ(split.dual->mesh().n_faces(), 5U + 9U);
+  for (const int f : group) {
+    const std::vector<FaceId> faces = faces_made_of(split.origins, std::array{f});
+    ASSERT_EQ(faces.size(), 1U);
+    EXPECT_TRUE(split.groups[faces.front()].empty());
+  }
+  for (const EdgeId e : split.dual->mesh().edges())
+    EXPECT_FALSE(split.dual->is_hidden(e)) << "what was split on purpose is shown";
+  EXPECT_TRUE(has_net(split));
+}
+
+TEST(MakeModel, FoldsThatAreAsGoodAsFlatAreHiddenWhenMergingCannotTakeThemAway) {
+  // Top and bottom are rings around a hole: they have to stay in parts.
+  const MadeModel merged = make(shared(shapes::cuboid_with_holes(1, 1)), {.merges = true});
+  const Mesh& mesh = merged.dual->mesh();
+  int n_hidden = 0;
+  for (const EdgeId e : mesh.edges()) {
+    n_hidden += merged.dual->is_hidden(e) ? 1 : 0;
+    EXPECT_EQ(merged.dual->is_hidden(e), std::abs(merged.dual->bend(e)) < 1e-6);
+  }
+  EXPECT_GT(n_hidden, 0);
+  UnfoldTree tree(mesh.n_faces());
+  EdgeId hidden;
+  for (const EdgeId e : mesh.edges())
+    if (merged.dual->is_hidden(e)) hidden = e;
+  tree.set_parent(mesh.face(mesh.halfedge(hidden)), mesh.halfedge(hidden));
+  const IdVector<EdgeId, EdgeKind> kinds = edge_kinds(layout(merged.dual, tree));
+  EXPECT_EQ(kinds[hidden], EdgeKind::Hidden);
+  EXPECT_EQ(std::ranges::count(kinds, EdgeKind::Hidden), 1) << "the others are cut, and cuts are drawn";
 }
 
 }  // namespace

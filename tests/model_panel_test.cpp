@@ -7,6 +7,8 @@
 #include "tests/gui_support.h"
 #include "tests/model_files.h"
 #include "tests/support.h"
+#include "ui/actions.h"
+#include "ui/selection.h"
 
 namespace netwright::testing {
 namespace {
@@ -38,6 +40,19 @@ bool until_rest(Gui& gui) {
     if (gui.session().state() == RunState::Replaying) gui.session().skip_replay();
     return gui.session().state() == RunState::Idle && !gui.session().is_making();
   });
+}
+
+/// Pixels of a widget in the red of culprits.
+int n_red(const Image& picture, const WidgetRect& rect) {
+  int n = 0;
+  for (int y = static_cast<int>(rect.min.y); y < static_cast<int>(rect.max.y); ++y) {
+    for (int x = static_cast<int>(rect.min.x); x < static_cast<int>(rect.max.x); ++x) {
+      const auto i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                          static_cast<std::size_t>(x));
+      n += picture.rgba[i] > 215 && picture.rgba[i + 1] < 110 && picture.rgba[i + 2] < 110 ? 1 : 0;
+    }
+  }
+  return n;
 }
 
 std::size_t n_faces(Gui& gui) { return gui.session().project().dual->mesh().n_faces(); }
@@ -178,8 +193,9 @@ TEST(ModelPanel, TheWayOfABrokenFileToANetAndAllTheWayBack) {
   gui.click("model/merge");
   ASSERT_TRUE(until_made(gui));
   EXPECT_TRUE(gui.session().recipe().merges);
-  EXPECT_EQ(gui.session().undo_label(), "Undo merge faces");
-  for (int i = 0; i < 6 && gui.session().can_undo(); ++i) gui.key('Z', kControl);
+  ASSERT_TRUE(until_rest(gui));
+  EXPECT_EQ(gui.session().undo_label(), "Undo unfold") << "of the merged faces";
+  for (int i = 0; i < 8 && gui.session().can_undo(); ++i) gui.key('Z', kControl);
   EXPECT_FALSE(gui.session().can_undo());
   EXPECT_EQ(n_faces(gui), 80U);
   EXPECT_EQ(gui.session().recipe().faces, 0);
@@ -442,15 +458,142 @@ TEST(ModelPanel, ALineOfTheReportLightsItsFacesAndTurnsTheModelToThem) {
   ASSERT_NE(line, nullptr);
   gui.click("report/self_intersections");
   gui.frames(30);
-  EXPECT_EQ(gui.ui().lit_faces.size(), line->faces.size());
+  EXPECT_EQ(gui.ui().lit.faces.size(), line->faces.size());
   const FaceStates& states = gui.app.workspace().scene().states();
-  for (const FaceId face : gui.ui().lit_faces) EXPECT_TRUE(states.has(face, FaceState::Selected));
+  for (const FaceId face : gui.ui().lit.faces) EXPECT_TRUE(states.has(face, FaceState::Selected));
   EXPECT_NE(gui.app.workspace().model_view().camera(), before) << "the camera flies there";
   gui.click("report/self_intersections");
   gui.point({2, 2});
-  EXPECT_TRUE(gui.ui().lit_faces.empty());
+  EXPECT_TRUE(gui.ui().lit.faces.empty());
   for (const FaceId face : gui.session().project().dual->mesh().faces())
     EXPECT_FALSE(gui.app.workspace().scene().states().has(face, FaceState::Selected));
+}
+
+TEST(ModelPanel, ALineAboutBordersLightsTheirEdgesInBothViews) {
+  Gui gui;
+  PolygonSoup box = shapes::cube();
+  box.face_begin.pop_back();
+  box.corners.resize(static_cast<std::size_t>(box.face_begin.back()));
+  gui.session().open_bytes("box.obj", shapes::to_obj(box));
+  ASSERT_TRUE(gui.until([&] { return gui.session().has_model(); })) << gui.ui().error;
+  gui.frames(3);
+  ASSERT_TRUE(gui.unfold());
+  gui.click("section/Model");
+  gui.frames(2);
+  gui.point({2, 2});
+  const Image before = gui.window.read_pixels();
+  gui.click("report/borders");
+  gui.point({2, 2});
+  gui.frames(30);
+  EXPECT_EQ(gui.ui().lit.edges.size(), 4U);
+  EXPECT_TRUE(gui.ui().lit.segments.empty());
+  EXPECT_GT(n_red(gui.window.read_pixels(), gui.rect("model/picture")), 200) << "on the model";
+  EXPECT_GT(n_red(gui.window.read_pixels(), gui.rect("net/picture")), 200) << "in the net";
+  EXPECT_EQ(n_red(before, gui.rect("model/picture")), 0);
+  gui.click("report/borders");
+  gui.point({2, 2});
+  gui.frames(3);
+  EXPECT_TRUE(gui.ui().lit.edges.empty());
+  EXPECT_EQ(n_red(gui.window.read_pixels(), gui.rect("net/picture")), 0);
+}
+
+TEST(ModelPanel, PointsOfTheFileThatTheMeshHasNotAreShownWhereTheyWere) {
+  Gui gui;
+  PolygonSoup ball = shapes::icosphere(2);
+  ball.points.push_back({0, 3, 0});
+  gui.session().open_bytes("ball.obj", shapes::to_obj(ball));
+  ASSERT_TRUE(gui.until([&] { return gui.session().has_model(); })) << gui.ui().error;
+  gui.frames(3);
+  gui.click("section/Model");
+  gui.frames(2);
+  gui.click("report/file/isolated_points");
+  gui.point({2, 2});
+  gui.frames(30);
+  ASSERT_EQ(gui.ui().lit.points.size(), 1U);
+  EXPECT_EQ(gui.ui().lit.points.front(), glm::dvec3(0, 3, 0));
+  EXPECT_GT(n_red(gui.window.read_pixels(), gui.rect("model/picture")), 20);
+}
+
+TEST(ModelPanel, WhatRepairingTookAwayIsShownWhereItWas) {
+  Gui gui;
+  const TemporaryFolder folder;
+  drop_careless_ball(gui, folder);
+  gui.click("dialog/accept");
+  gui.frames(4);
+  gui.click("report/file/doubled_faces");
+  gui.frames(3);
+  EXPECT_EQ(gui.ui().lit.segments.size(), 6U) << "the sides of two triangles that are gone";
+  EXPECT_TRUE(gui.ui().lit.faces.empty());
+  gui.click("report/file/turned_faces");
+  gui.frames(3);
+  EXPECT_EQ(gui.ui().lit.faces.size(), 2U);
+  EXPECT_TRUE(gui.ui().lit.segments.empty());
+}
+
+TEST(ModelPanel, OneMergedFaceIsSplitAgainAndMergedAgain) {
+  Gui gui;
+  gui.session().open_bytes("grid.obj", shapes::to_obj(shapes::grid_cube(4)));
+  ASSERT_TRUE(gui.until([&] { return gui.session().has_model(); }));
+  gui.frames(3);
+  gui.key('M');
+  ASSERT_TRUE(until_made(gui));
+  gui.frames(3);
+  ASSERT_EQ(n_faces(gui), 6U);
+  gui.point({2, 2});
+  select_face(gui.ui(), FaceId(2), false);
+  gui.click("menu/Model");
+  gui.click("menu/Split this face again");
+  ASSERT_TRUE(until_made(gui));
+  gui.frames(3);
+  EXPECT_EQ(n_faces(gui), 5U + 16U);
+  EXPECT_EQ(gui.session().undo_label(), "Undo split face");
+
+  const Mesh& split = gui.session().project().dual->mesh();
+  const int source = gui.session().recipe().apart.at(0).at(7);
+  for (const FaceId face : split.faces())
+    if (split.face_source(face) == source) select_face(gui.ui(), face, false);
+  UiContext context{gui.session(), gui.ui()};
+  run_action(context, ActionId::SplitFace);
+  ASSERT_TRUE(until_made(gui));
+  EXPECT_EQ(n_faces(gui), 6U);
+  EXPECT_EQ(gui.session().undo_label(), "Undo merge face");
+  EXPECT_TRUE(gui.session().recipe().apart.empty());
+  gui.key('Z', kControl);
+  EXPECT_EQ(n_faces(gui), 21U);
+  gui.key('Z', kControl);
+  EXPECT_EQ(n_faces(gui), 6U);
+}
+
+TEST(ModelPanel, AFaceThatWasNotMergedCannotBeSplit) {
+  Gui gui;
+  gui.open_sample("Cube");
+  const UiContext context{gui.session(), gui.ui()};
+  select_face(gui.ui(), FaceId(1), false);
+  EXPECT_EQ(action(ActionId::SplitFace).why_not(context), "Merge the faces of one plane first (M).");
+  gui.key('M');
+  ASSERT_TRUE(until_made(gui));
+  gui.frames(2);
+  select_face(gui.ui(), FaceId(1), false);
+  EXPECT_EQ(action(ActionId::SplitFace).why_not(context), "This face was not merged of several ones.");
+}
+
+TEST(ModelPanel, MergingUnfoldsAgainWhereThereWasANet) {
+  Gui gui;
+  gui.session().open_bytes("grid.obj", shapes::to_obj(shapes::grid_cube(3)));
+  ASSERT_TRUE(gui.until([&] { return gui.session().has_model(); }));
+  gui.frames(3);
+  ASSERT_TRUE(gui.unfold());
+  gui.key('M');
+  ASSERT_TRUE(gui.until([&] { return n_faces(gui) == 6; }));
+  ASSERT_TRUE(until_rest(gui));
+  ASSERT_NE(gui.session().shown(), nullptr);
+  EXPECT_TRUE(gui.session().shown()->is_proved);
+  EXPECT_EQ(gui.session().undo_label(), "Undo unfold");
+  gui.key('Z', kControl);
+  EXPECT_EQ(gui.session().undo_label(), "Undo merge faces");
+  gui.key('Z', kControl);
+  EXPECT_EQ(n_faces(gui), 54U);
+  EXPECT_NE(gui.session().shown(), nullptr) << "the net of the small faces is back";
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ TEST(Pinning, CulpritsOfAContradictionLightUp) {
     n_lit += l.style == static_cast<std::uint32_t>(OverlayStyle::Culprit) ? 1 : 0;
   EXPECT_EQ(n_lit, pins.must_fold.size());
   gui.click("pins/show");
-  EXPECT_FALSE(gui.ui().lit_faces.empty());
+  EXPECT_FALSE(gui.ui().lit.faces.empty());
   gui.key(' ');
   gui.frames(3);
   EXPECT_EQ(gui.session().state(), RunState::Idle);

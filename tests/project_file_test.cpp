@@ -100,6 +100,20 @@ TEST(ProjectFile, KeepsEverythingThatTheUserMade) {
   expect_same(project, reopened(project));
 }
 
+TEST(ProjectFile, KnowsMergedFacesAndGroupsThatWereSplitAgain) {
+  const Project merged = project_of(shapes::grid_cube(3), {.merges = true});
+  expect_same(merged, reopened(merged));
+  const std::vector<int> group = merged.made->groups[FaceId(4)];
+  const Project split = solved(project_of(shapes::grid_cube(3), {.merges = true, .apart = {group}}));
+  const Project again = reopened(split);
+  expect_same(split, again);
+  EXPECT_EQ(again.made->origins, split.made->origins);
+  ASSERT_EQ(again.recipe.apart.size(), 1U);
+  EXPECT_EQ(again.recipe.apart.front(), group);
+  const Project ringed = project_of(shapes::cuboid_with_holes(1, 1), {.merges = true});
+  expect_same(ringed, reopened(ringed));
+}
+
 TEST(ProjectFile, KeepsProjectsWithoutANet) {
   const Project project = project_of(shapes::letter_e());
   const Project again = reopened(project);

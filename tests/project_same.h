@@ -67,12 +67,15 @@ inline void expect_same(const MadeModel& a, const MadeModel& b) {
   EXPECT_EQ(a.done, b.done);
   EXPECT_EQ(a.refusal, b.refusal);
   EXPECT_EQ(a.deviation, b.deviation);
+  EXPECT_EQ(a.groups, b.groups);
+  for (const EdgeId e : a.dual->mesh().edges()) EXPECT_EQ(a.dual->is_hidden(e), b.dual->is_hidden(e));
   EXPECT_EQ(a.n_faces_least, b.n_faces_least);
   ASSERT_EQ(a.report.lines.size(), b.report.lines.size());
   for (std::size_t i = 0; i < a.report.lines.size(); ++i)
     EXPECT_EQ(a.report.lines[i].text, b.report.lines[i].text);
   ASSERT_TRUE(a.stages && b.stages);
   EXPECT_EQ(a.stages->done, b.stages->done);
+  EXPECT_EQ(a.stages->file_lines.size(), b.stages->file_lines.size());
   expect_same(*a.stages->mesh, *b.stages->mesh);
 }
 

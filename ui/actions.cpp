@@ -221,6 +221,44 @@ void toggle_merging(UiContext& c) {
 
 bool is_merging(const UiContext& c) { return c.session.has_model() && c.session.wanted_recipe().merges; }
 
+/// The group that the face was merged into, or that it was split off: faces of the file.
+std::vector<int> group_of(const UiContext& c, FaceId face) {
+  const Project& project = c.session.project();
+  const std::size_t group = group_apart(project.recipe, project.dual->mesh().face_source(face));
+  if (group < project.recipe.apart.size()) return project.recipe.apart[group];
+  return project.made->groups.empty() ? std::vector<int>() : project.made->groups[face];
+}
+
+bool is_split(const UiContext& c, FaceId face) {
+  const std::vector<int> group = group_of(c, face);
+  return !group.empty() && group_apart(c.session.recipe(), group.front()) < c.session.recipe().apart.size();
+}
+
+std::string needs_merged_face(const UiContext& c) {
+  if (std::string reason = needs_face(c); !reason.empty()) return reason;
+  if (!c.session.recipe().merges) return "Merge the faces of one plane first (M).";
+  if (c.session.is_making()) return "The model is still being made.";
+  return !group_of(c, chosen_face(c)).empty() ? "" : "This face was not merged of several ones.";
+}
+
+void split_or_merge_face(UiContext& c) {
+  Recipe recipe = c.session.wanted_recipe();
+  std::vector<int> group = group_of(c, chosen_face(c));
+  const bool was_split = is_split(c, chosen_face(c));
+  if (was_split) {
+    std::erase(recipe.apart, group);
+  } else {
+    recipe.apart.push_back(std::move(group));
+  }
+  c.session.set_recipe(recipe, was_split ? "merge face" : "split face");
+}
+
+std::string split_label(const UiContext& c) {
+  const FaceId face = chosen_face(c);
+  const bool was_split = c.session.has_model() && face.is_valid() && is_split(c, face);
+  return was_split ? "Merge this face again" : "Split this face again";
+}
+
 template <bool Settings::*Flag>
 void toggle(UiContext& c) {
   c.ui.settings.*Flag = !(c.ui.settings.*Flag);
@@ -259,6 +297,9 @@ const auto kActions = std::to_array<Action>({
     {ActionId::MergeFaces, "Merge faces of one plane", icon::kFaces, {'M', 0},
      "Neighbours that lie in one plane become one face: fewer folds, same shape", needs_model, toggle_merging,
      is_merging, nullptr},
+    {ActionId::SplitFace, "Split this face again", "", {'M', kShiftBit},
+     "Takes a merged face apart, or merges one again that was split", needs_merged_face, split_or_merge_face, nullptr,
+     split_label},
     {ActionId::Simplify400, "Simplify to 400 faces", "", {}, "Brings the model to a size that can be glued",
      needs_more_faces, [](UiContext& c) { c.session.simplify_to(kUsualFaces, false); }, nullptr, nullptr},
     {ActionId::AllFaces, "All faces", "", {}, "Takes the simplification back", needs_simplified,

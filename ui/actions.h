@@ -24,6 +24,7 @@ enum class ActionId {
   Redo,
   ShowReport,
   MergeFaces,
+  SplitFace,
   Simplify400,
   AllFaces,
   CentreFace,

@@ -149,7 +149,8 @@ float draw_menu_bar(UiContext& context) {
   menu("Model", [&] {
     plain_menu(context, {ActionId::ShowReport});
     ImGui::Separator();
-    plain_menu(context, {ActionId::MergeFaces, ActionId::Simplify400, ActionId::AllFaces});
+    plain_menu(context,
+               {ActionId::MergeFaces, ActionId::SplitFace, ActionId::Simplify400, ActionId::AllFaces});
     ImGui::Separator();
     plain_menu(context, {ActionId::CentreFace, ActionId::ClearSelection});
   });

@@ -9,6 +9,7 @@
 
 #include "ui/editing.h"
 #include "ui/fold_bar.h"
+#include "ui/lit.h"
 #include "ui/measure.h"
 #include "ui/pointing.h"
 #include "ui/selection.h"
@@ -20,7 +21,8 @@ namespace {
 constexpr double kShareOfView = 0.78;  ///< what a framed model fills; some room stays for turning it
 constexpr double kGrazing = 0.25;  ///< cosine; a face seen more from the side than this is turned to the eye
 constexpr double kLitShare = 0.3;  ///< of the view, filled by faces that are flown to
-constexpr double kMostMagnified = 4;  ///< against the framed model, so that one still sees where one is
+constexpr double kLeastMagnified = 0.3;  ///< points may lie far away from the model
+constexpr double kMostMagnified = 4;     ///< against the framed model, so that one still sees where one is
 
 }  // namespace
 
@@ -35,8 +37,10 @@ void ModelView::follow_wishes(UiContext& context, const Scene& scene) {
   file_version_ = scene.file_version();
   ui.wants_home = ui.wants_frame_model = false;
   if (ui.centre_now.is_valid()) show_face(ui, scene.pose());
-  if (!ui.flight_now.empty()) start_flight(ui.flight_now, scene.pose(), ui.now);
-  if (std::exchange(ui.wants_lit_in_view, false)) start_flight(ui.lit_faces, scene.pose(), ui.now);
+  Lit flown_to;
+  flown_to.faces = ui.flight_now;
+  start_flight(flown_to, scene.pose(), ui.now);
+  if (std::exchange(ui.wants_lit_in_view, false)) start_flight(ui.lit, scene.pose(), ui.now);
 }
 
 void ModelView::show_face(const UiState& ui, const ModelPose& pose) {
@@ -53,24 +57,17 @@ void ModelView::show_face(const UiState& ui, const ModelPose& pose) {
   flight_.emplace(Flight{camera_, goal, ui.now});
 }
 
-void ModelView::start_flight(const std::vector<FaceId>& faces, const ModelPose& pose, double now) {
-  if (faces.empty()) return;
-  Box3 box;
-  glm::dvec3 outward(0);
-  double total = 0;
-  for (const FaceId f : faces) {
-    for (const HalfedgeId h : pose.mesh().halfedges(f)) box.add(pose.position(h));
-    outward += pose.normal(f) * pose.mesh().area(f);
-    total += pose.mesh().area(f);
-  }
-  // Faces all around have no side of their own: the first one, the worst, is shown then.
-  if (glm::length(outward) < 0.2 * total) outward = pose.normal(faces.front());
+void ModelView::start_flight(const Lit& lit, const ModelPose& pose, double now) {
+  const Box3 box = lit_box(lit, pose);
+  if (!(box.min.x <= box.max.x)) return;
   OrbitCamera goal = camera_;
-  goal.look_from(outward);
+  const glm::dvec3 side = lit_side(lit, pose);
+  if (glm::length(side) > 0) goal.look_from(side);
   frame_model(goal, pose.mesh(), kShareOfView);
   const double share = box.diagonal() / std::max(pose.mesh().box().diagonal(), 1e-300);
   goal.centre_on(box.centre());
-  goal.zoom(std::clamp(kLitShare / std::max(share, 1e-9), 1.0, kMostMagnified), goal.size_px() * 0.5);
+  goal.zoom(std::clamp(kLitShare / std::max(share, 1e-9), kLeastMagnified, kMostMagnified),
+            goal.size_px() * 0.5);
   flight_.emplace(Flight{camera_, goal, now});
 }
 

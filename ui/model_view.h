@@ -22,7 +22,7 @@ class ModelView {
   /// Brings the wanted face to the middle, and to the front when it looks away.
   void show_face(const UiState& ui, const ModelPose& pose);
   /// Turns the camera to these faces, on a short flight.
-  void start_flight(const std::vector<FaceId>& faces, const ModelPose& pose, double now);
+  void start_flight(const Lit& lit, const ModelPose& pose, double now);
   void fly(UiState& ui, const Gesture& gesture);
   void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
   /// Faces that look this way and whose middle lies in the rubber band, unless something hides it.

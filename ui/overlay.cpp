@@ -98,6 +98,14 @@ void add_curve(const Target& to, EdgeId e) {
   }
 }
 
+/// What a line of the report is about. What the mesh has not can only be shown where the model stands.
+void add_lit(const Target& to, const Lit& lit) {
+  for (const EdgeId e : lit.edges) add_edge(to, e, OverlayStyle::Culprit);
+  if (!to.pose.is_model()) return;
+  for (const auto& [a, b] : lit.segments) to.lines.add_in_space(a, b, OverlayStyle::Culprit);
+  for (const glm::dvec3& p : lit.points) to.lines.add_in_space(p, p, OverlayStyle::CulpritDot);
+}
+
 }  // namespace
 
 OverlayLines overlay_of(const UiState& ui, const ModelPose& pose, const Net* net,
@@ -116,6 +124,7 @@ OverlayLines overlay_of(const UiState& ui, const ModelPose& pose, const Net* net
   if (hovered.is_valid() && to.is_cut(hovered)) add_curve(to, hovered);
   for (const EdgeId e : ui.selected_edges) add_edge(to, e, OverlayStyle::Selected);
   if (ui.editing.is_on) add_edit(to, ui.editing);
+  add_lit(to, ui.lit);
   if (hovered.is_valid()) add_edge(to, hovered, OverlayStyle::Hovered);
   return lines;
 }

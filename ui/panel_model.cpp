@@ -1,37 +1,12 @@
 // What is known about the model, line by line as the report has it; notices and problems carry a sign. A line
 // that is about certain faces is a button: it lights them in both views and turns the model to them.
-#include <algorithm>
-#include <unordered_set>
-
 #include "assets/icons.h"
+#include "ui/lit.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace netwright {
 namespace {
-
-/// The faces of the mesh that were made of these faces of the file, in the mesh's order; the one made of the
-/// first culprit, the worst, comes first.
-std::vector<FaceId> faces_made_of(const Mesh& mesh, const std::vector<int>& culprits) {
-  const std::unordered_set<int> wanted(culprits.begin(), culprits.end());
-  std::vector<FaceId> found;
-  for (const FaceId f : mesh.faces())
-    if (wanted.contains(mesh.face_source(f))) found.push_back(f);
-  const auto is_worst = [&](FaceId f) { return mesh.face_source(f) == culprits.front(); };
-  std::stable_partition(found.begin(), found.end(), is_worst);
-  return found;
-}
-
-void light(UiContext& context, std::size_t index, const MeshReport::Line& line) {
-  UiState& ui = context.ui;
-  const bool was_lit = ui.lit_line == index;
-  ui.lit_line.reset();
-  ui.lit_faces.clear();
-  if (was_lit) return;
-  ui.lit_line = index;
-  ui.lit_faces = faces_made_of(context.session.project().dual->mesh(), line.faces);
-  ui.wants_lit_in_view = true;
-}
 
 /// The sign at the left, if the line has one.
 void draw_sign(const UiState& ui, const MeshReport::Line& line, ImVec2 at) {
@@ -41,17 +16,18 @@ void draw_sign(const UiState& ui, const MeshReport::Line& line, ImVec2 at) {
                                       is_problem ? icon::kError : icon::kInfo);
 }
 
-void report_line(UiContext& context, std::size_t index, const MeshReport::Line& line) {
+void report_line(UiContext& context, std::size_t index, const MeshReport::Line& line,
+                 const std::string& group) {
   const UiState& ui = context.ui;
   const Look& look = ui.look;
-  const bool can_light = !line.faces.empty();
-  const bool is_lit = ui.lit_line == index;
+  const bool can_light = line.has_culprits();
+  const bool is_lit = ui.lit.line == index;
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x - look.px(16) - (can_light ? look.px(24) : 0);
   const float indent = line.kind == MeshReport::Line::Kind::Fact ? 0 : look.px(24);
   const ImVec2 text = ImGui::CalcTextSize(line.text.c_str(), nullptr, false, room - indent);
   const ImVec2 size(ImGui::GetContentRegionAvail().x - look.px(16), text.y);
-  const std::string name = "report/" + std::string(topic_name(line.topic));
+  const std::string name = group + std::string(topic_name(line.topic));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (can_light) {
     ImGui::PushID(static_cast<int>(index));
@@ -73,6 +49,30 @@ void report_line(UiContext& context, std::size_t index, const MeshReport::Line& 
   draw_sign(ui, line, min);
   draw.AddText(nullptr, 0, ImVec2(min.x + indent, min.y), look.colours.text, line.text.c_str(), nullptr,
                room - indent);
+}
+
+/// What the file had that the mesh has no more: still worth a look, to see whether it was meant so.
+void lines_about_file(UiContext& context) {
+  const std::size_t before = context.session.report()->lines.size();
+  const std::vector<MeshReport::Line>& lines = context.session.project().made->stages->file_lines;
+  if (lines.empty()) return;
+  ImGui::PushFont(context.ui.look.fonts.bold);
+  ImGui::TextUnformatted("In the file");
+  ImGui::PopFont();
+  for (std::size_t i = 0; i < lines.size(); ++i) report_line(context, before + i, lines[i], "report/file/");
+}
+
+/// What was done to the file's faces before anything was simplified or merged.
+void done_lines(const UiContext& context) {
+  const UiState& ui = context.ui;
+  for (const std::string& sentence : context.session.project().made->stages->done) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddText(at, ui.look.colours.good, icon::kDone);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.look.px(24));
+    ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - ui.look.px(16));
+    text_muted(ui, sentence);
+    ImGui::PopTextWrapPos();
+  }
 }
 
 /// Formats have their customs, programs don't always keep to them.
@@ -98,7 +98,9 @@ void panel_model(UiContext& context) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), ui.look.px(6)));
   ImGui::Dummy(ImVec2(0, 0));
-  for (std::size_t i = 0; i < report->lines.size(); ++i) report_line(context, i, report->lines[i]);
+  for (std::size_t i = 0; i < report->lines.size(); ++i) report_line(context, i, report->lines[i], "report/");
+  lines_about_file(context);
+  done_lines(context);
   up_row(context);
   panel_repairs(context);
   panel_parts(context);

@@ -3,6 +3,7 @@
 
 #include "assets/icons.h"
 #include "ui/actions.h"
+#include "ui/lit.h"
 #include "ui/panels.h"
 #include "ui/pinning.h"
 #include "ui/widgets.h"
@@ -11,8 +12,8 @@ namespace netwright {
 namespace {
 
 void show_culprits(UiState& ui, const Contradiction& contradiction) {
-  ui.lit_line.reset();
-  ui.lit_faces = contradiction.faces;
+  clear_lit(ui);
+  ui.lit.faces = contradiction.faces;
   ui.wants_lit_in_view = true;
 }
 

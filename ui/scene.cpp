@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/sheet/pages.h"
+#include "ui/lit.h"
 #include "ui/measure.h"
 #include "ui/overlay.h"
 #include "ui/selection.h"
@@ -100,7 +101,7 @@ void Scene::mark_faces(const UiContext& context) {
   if (!ui.hovered_side.is_valid()) states_.add(ui.hovered, FaceState::Hovered);
   for (const FaceId face : ui.selected_faces) states_.add(face, FaceState::Selected);
   for (const FaceId face : ui.hovered_part_faces) states_.add(face, FaceState::Hovered);
-  for (const FaceId face : ui.lit_faces) {
+  for (const FaceId face : ui.lit.faces) {
     states_.add(face, FaceState::Hovered);
     states_.add(face, FaceState::Selected);
   }
@@ -143,8 +144,7 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     clear_selection(ui);
     ui.folding = Folding();
     ui.measuring = Measuring();
-    ui.lit_line.reset();
-    ui.lit_faces.clear();
+    clear_lit(ui);
     ui.hovered_part.reset();
     ui.hovered_part_faces.clear();
   }

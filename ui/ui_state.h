@@ -2,9 +2,11 @@
 // the user is being told. Panels and views take (Session&, UiState&); nothing of it is part of a Project.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +64,15 @@ struct Toast {
 
 struct UiContext;
 
+/// The line of the model's report that is lit in the views, and what it is about.
+struct Lit {
+  std::optional<std::size_t> line;  ///< the file's lines count on from the report's
+  std::vector<FaceId> faces;
+  std::vector<EdgeId> edges;                        ///< those that the mesh has
+  std::vector<std::array<glm::dvec3, 2>> segments;  ///< edges that the mesh has no more
+  std::vector<glm::dvec3> points;
+};
+
 struct UiState {
   Look look;
   Settings settings;
@@ -79,9 +90,7 @@ struct UiState {
   HalfedgeId selected_side;            ///< the edge clicked last, from the side it was clicked at
   std::vector<FaceId> selected_faces;  ///< all of them, sorted
   std::vector<EdgeId> selected_edges;
-  /// The line of the model's report whose culprits are lit in both views, and these; gone with the mesh.
-  std::optional<std::size_t> lit_line;
-  std::vector<FaceId> lit_faces;
+  Lit lit;                             ///< gone with the mesh
   /// The part of the model under the pointer in the list of parts, and its faces; gone with the mesh.
   std::optional<std::size_t> hovered_part;
   std::vector<FaceId> hovered_part_faces;
@@ -118,7 +127,7 @@ struct UiState {
   std::vector<FaceId> flight_now;
   float faces_slider_width = 0;    ///< of the simplify slider
   bool is_dragging_faces = false;  ///< the simplify slider is held: nothing around it may jump
-  bool wants_lit_in_view = false;  ///< fly to lit_faces
+  bool wants_lit_in_view = false;  ///< fly to what is lit
   bool wants_quit = false;
   bool wants_new_fonts = false;  ///< scale changed
   int frames_wanted = 0;         ///< more frames to draw although nothing happens

@@ -58,7 +58,8 @@ std::vector<Triangle> triangles_of(const PolygonSoup& soup) {
 /// One direction of the Hausdorff distance.
 class Measurement {
  public:
-  Measurement(const SurfaceTree& b, double slack) : b_(b), slack_(slack) {}
+  Measurement(const SurfaceTree& b, double slack, const Progress* progress)
+      : b_(b), slack_(slack), progress_(progress) {}
 
   double run(std::span<const Triangle> triangles) {
     for (const Triangle& t : triangles) {
@@ -68,6 +69,7 @@ class Measurement {
     for (const Triangle& t : triangles) {
       parts_.push_back({t, guess_});
       while (!parts_.empty()) examine();
+      if (progress_ != nullptr && progress_->is_cancelled()) break;
     }
     return worst_;
   }
@@ -115,6 +117,7 @@ class Measurement {
 
   const SurfaceTree& b_;
   double slack_;
+  const Progress* progress_;  ///< null: to the end
   double worst_ = 0;
   int guess_ = -1;
   int n_splits_ = 0;
@@ -222,11 +225,20 @@ SurfaceTree::Hit SurfaceTree::nearest(const glm::dvec3& p, int guess, double eno
 }
 
 double distance_from(const SurfaceTree& a, const SurfaceTree& b, double tolerance) {
-  return Measurement(b, tolerance * a.box().diagonal()).run(a.triangles());
+  return Measurement(b, tolerance * a.box().diagonal(), nullptr).run(a.triangles());
 }
 
 double hausdorff_distance(const SurfaceTree& a, const SurfaceTree& b, double tolerance) {
   return std::max(distance_from(a, b, tolerance), distance_from(b, a, tolerance));
+}
+
+double hausdorff_distance(const SurfaceTree& a, const SurfaceTree& b, const Progress& progress) {
+  const auto one_way = [&](const SurfaceTree& from, const SurfaceTree& to) {
+    const double slack = kDeviationTolerance * from.box().diagonal();
+    return progress.is_cancelled() ? 0 : Measurement(to, slack, &progress).run(from.triangles());
+  };
+  const double there = one_way(a, b);
+  return std::max(there, one_way(b, a));
 }
 
 }  // namespace netwright

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/base/progress.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/soup.h"
 
@@ -58,5 +59,8 @@ double distance_from(const SurfaceTree& a, const SurfaceTree& b, double toleranc
 
 /// The larger one of both directions.
 double hausdorff_distance(const SurfaceTree& a, const SurfaceTree& b, double tolerance = kDeviationTolerance);
+
+/// The same, given up when `progress` is cancelled: then what was found so far, which is too little.
+double hausdorff_distance(const SurfaceTree& a, const SurfaceTree& b, const Progress& progress);
 
 }  // namespace netwright

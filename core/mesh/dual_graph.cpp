@@ -30,7 +30,9 @@ bool lies_below(const Mesh& m, HalfedgeId h) {
 
 }  // namespace
 
-DualGraph::DualGraph(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {
+DualGraph::DualGraph(std::shared_ptr<const Mesh> mesh, const std::vector<EdgeId>& hidden)
+    : mesh_(std::move(mesh)), is_hidden_(mesh_->n_edges(), 0) {
+  for (const EdgeId e : hidden) is_hidden_[e] = 1;
   flatten_faces();
   split_faces();
   place_hinges();

@@ -14,7 +14,8 @@ namespace netwright {
 class DualGraph {
  public:
   /// Throws Error(Unfit) when a face is not flat (unevenness over kFlatness), saying how far off it is.
-  explicit DualGraph(std::shared_ptr<const Mesh> mesh);
+  /// `hidden`: edges whose folds are not to be drawn.
+  explicit DualGraph(std::shared_ptr<const Mesh> mesh, const std::vector<EdgeId>& hidden = {});
 
   [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
   [[nodiscard]] const std::shared_ptr<const Mesh>& shared_mesh() const { return mesh_; }
@@ -30,6 +31,9 @@ class DualGraph {
   /// Dihedral bend at an edge in radians, 0 = flat, positive = convex (a mountain seen from outside),
   /// negative = reflex (a valley); 0 at a border. Within (-pi, pi].
   [[nodiscard]] double bend(EdgeId e) const { return bend_[e]; }
+
+  /// A fold that is as good as flat, where its faces could not be merged: nobody need see it.
+  [[nodiscard]] bool is_hidden(EdgeId e) const { return is_hidden_[e] != 0; }
 
   /// Average number of neighbours of a face: `val` in the paper's section 4.4.
   [[nodiscard]] double mean_valence() const { return mean_valence_; }
@@ -53,6 +57,7 @@ class DualGraph {
   IdVector<HalfedgeId, glm::dvec2> flat_;
   IdVector<HalfedgeId, Rigid2> unroll_;
   IdVector<EdgeId, double> bend_;
+  IdVector<EdgeId, char> is_hidden_;
   double mean_valence_ = 0;
   std::vector<int> part_begin_{0};
   std::vector<int> part_corner_begin_{0};

@@ -113,17 +113,24 @@ void add_self_intersections(const SelfIntersections& found, MeshReport& report) 
   report.lines.push_back(std::move(line));
 }
 
-void add_borders(const repair::Findings& found, MeshReport& report) {
-  if (found.border_edges.empty()) return;
+/// Without culprits; the line is there only when there is a border.
+Line* add_borders(MeshReport& report) {
+  if (report.n_border_edges == 0) return nullptr;
   report.lines.push_back({Kind::Fact,
                           counted(report.n_border_loops, "border", "borders") + " of " +
                               counted(report.n_border_edges, "edge", "edges") + ", " +
                               length_text(report.border_length) + " long",
-                          Topic::Borders,
-                          report.n_border_loops,
-                          {},
-                          {},
-                          found.border_edges});
+                          Topic::Borders, report.n_border_loops});
+  return &report.lines.back();
+}
+
+/// Numbers of points lead to places.
+void add_places(const PolygonSoup& soup, std::vector<Line>& lines) {
+  const auto at = [&](int point) { return soup.points[static_cast<std::size_t>(point)]; };
+  for (Line& line : lines) {
+    for (const int point : line.points) line.point_places.push_back(at(point));
+    for (const auto& [a, b] : line.edges) line.edge_places.push_back({at(a), at(b)});
+  }
 }
 
 void add_size(const PolygonSoup& soup, MeshReport& report) {
@@ -134,8 +141,12 @@ void add_size(const PolygonSoup& soup, MeshReport& report) {
 
 void add_points(const repair::Findings& found, MeshReport& report) {
   if (found.n_merged > 0) {
-    report.lines.push_back({Kind::Notice, repair::doubled_points_sentence(found.n_merged),
-                            Topic::DoubledPoints, found.n_merged});
+    report.lines.push_back({Kind::Notice,
+                            repair::doubled_points_sentence(found.n_merged),
+                            Topic::DoubledPoints,
+                            found.n_merged,
+                            {},
+                            found.doubled_points});
   }
   const auto n_isolated = static_cast<int>(found.isolated_points.size());
   if (n_isolated > 0) {
@@ -258,13 +269,14 @@ MeshReport report_on(const PolygonSoup& soup) {
                        found.doubled_faces.empty() && found.crowded_edges.empty() &&
                        found.pinched_points.empty() && !found.is_one_sided;
   add_facts(report, report.is_manifold);
-  add_borders(found, report);
+  if (Line* borders = add_borders(report)) borders->edges = found.border_edges;
   add_size(soup, report);
   add_faults(soup, found, report);
   add_uneven_faces(found.uneven_faces, report);
   add_self_intersections(find_self_intersections(soup), report);
   add_points(found, report);
   add_reader_notices(soup, report);
+  add_places(soup, report.lines);
   return report;
 }
 
@@ -281,6 +293,12 @@ MeshReport report_on(const Mesh& mesh) {
   report.size = mesh.box().size();
   for (const EdgeId e : mesh.edges()) report.border_length += mesh.is_border(e) ? mesh.length(e) : 0;
   add_facts(report, true);
+  if (Line* borders = add_borders(report)) {
+    for (const EdgeId e : mesh.edges()) {
+      const HalfedgeId h = mesh.halfedge(e);
+      if (mesh.is_border(e)) borders->edge_places.push_back({mesh.position(h), mesh.position(mesh.next(h))});
+    }
+  }
   std::vector<FaceId> uneven;
   for (const FaceId f : mesh.faces()) {
     report.worst_unevenness = std::max(report.worst_unevenness, mesh.unevenness(f));
@@ -297,6 +315,16 @@ MeshReport report_on(const Mesh& mesh) {
   }
   add_self_intersections(crossings, report);
   return report;
+}
+
+std::vector<Line> lines_about_file(const PolygonSoup& soup) {
+  const repair::Findings found = repair::find_faults(soup);
+  MeshReport report;
+  add_faults(soup, found, report);
+  add_points(found, report);
+  add_places(soup, report.lines);
+  for (Line& line : report.lines) line.kind = Kind::Notice;
+  return std::move(report.lines);
 }
 
 void add_reader_notices(const PolygonSoup& soup, MeshReport& report) {

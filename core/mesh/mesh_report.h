@@ -43,6 +43,12 @@ struct MeshReport {
     std::vector<int> faces{};                 ///< culprits: faces of the soup, worst or first ones first
     std::vector<int> points{};                ///< culprits: points of the soup
     std::vector<std::array<int, 2>> edges{};  ///< culprits: edges as two points of the soup
+    // Where points and edges lie in the model, also where they have no numbers in a file.
+    std::vector<glm::dvec3> point_places{};
+    std::vector<std::array<glm::dvec3, 2>> edge_places{};
+    [[nodiscard]] bool has_culprits() const {
+      return !faces.empty() || !point_places.empty() || !edge_places.empty();
+    }
   };
   std::vector<Line> lines;
   int n_faces = 0;
@@ -88,8 +94,12 @@ UnitGuess guess_unit(const PolygonSoup& soup);
 MeshReport report_on(const PolygonSoup& soup);
 
 /// Facts about a mesh (counts, components, genus, borders) and what is noteworthy: uneven faces, faces that
-/// cut through each other. Culprits are faces of the file (face_source).
+/// cut through each other. Culprits are faces of the file (face_source); borders have places only.
 MeshReport report_on(const Mesh& mesh);
+
+/// What the file had that a mesh made of it has no more (points joined or dropped, faces and edges repaired),
+/// as notices with their culprits.
+std::vector<MeshReport::Line> lines_about_file(const PolygonSoup& soup);
 
 /// Adds what the reader had to say (soup.notices).
 void add_reader_notices(const PolygonSoup& soup, MeshReport& report);

@@ -152,6 +152,11 @@ Findings find_faults(const PolygonSoup& soup) {
   const int n_merged = weld(work);
   if (soup.is_indexed) {
     found.n_merged = n_merged;
+    std::vector<char> is_joined(soup.points.size(), 0);
+    for (std::size_t c = 0; c < soup.corners.size(); ++c)
+      if (work.corners[c] != soup.corners[c]) is_joined[static_cast<std::size_t>(soup.corners[c])] = 1;
+    for (std::size_t p = 0; p < is_joined.size(); ++p)
+      if (is_joined[p] != 0) found.doubled_points.push_back(static_cast<int>(p));
     std::vector<char> is_used(soup.points.size(), 0);
     for (const int corner : soup.corners) is_used[static_cast<std::size_t>(corner)] = 1;
     for (std::size_t p = 0; p < is_used.size(); ++p) {

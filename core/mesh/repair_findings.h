@@ -23,6 +23,8 @@ struct Findings {
   std::vector<std::array<int, 2>> crowded_edges{};  ///< more than two sides, or twice the same face
   std::vector<int> pinched_points{};                ///< several fans meet there, away from crowded edges
   std::vector<int> isolated_points{};
+  std::vector<int>
+      doubled_points{};  ///< those that joined others, ascending; only of a file with shared points
   std::vector<int> broken_faces{};     ///< a corner twice, or fewer than three
   std::vector<int> zero_area_faces{};  ///< of those that are not broken
   std::vector<int> doubled_faces{};    ///< all but the first with the same corners, if not broken

@@ -177,9 +177,11 @@ std::vector<int> Simplifier::heirs_at(int n_faces) const {
   return heirs;
 }
 
-double Simplifier::deviation_at(int n_faces) const {
+double Simplifier::deviation_at(int n_faces) const { return deviation_at(n_faces, Progress()); }
+
+double Simplifier::deviation_at(int n_faces, const Progress& progress) const {
   if (step_at(n_faces) == 0) return 0;
-  return hausdorff_distance(*surface_, SurfaceTree(soup_at(n_faces)));
+  return hausdorff_distance(*surface_, SurfaceTree(soup_at(n_faces)), progress);
 }
 
 }  // namespace netwright

@@ -1,6 +1,8 @@
 // The edits. Each takes its Project by value and hands it back changed.
 #include "core/project/commands.h"
 
+#include <array>
+
 #include "core/project/carry_pins.h"
 
 namespace netwright {
@@ -23,7 +25,12 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
     project.made = std::move(made);
     return project;
   }
+  const std::array root_source{
+      project.pins.root.is_valid() ? project.dual->mesh().face_source(project.pins.root) : -1};
   project.pins = carry_pins(project.pins, project.dual->mesh(), made->dual->mesh()).pins;
+  // What became of the face is known; where it is nearest, only guessed.
+  const std::vector<FaceId> heirs = faces_made_of(made->origins, root_source);
+  if (!heirs.empty()) project.pins.root = heirs.front();
   project.recipe = recipe;
   project.dual = made->dual;
   project.made = std::move(made);

@@ -105,17 +105,32 @@ std::vector<std::string> JsonFields::texts(std::string_view key) {
   return all;
 }
 
-std::vector<int> JsonFields::integers(std::string_view key, int low, int high) {
+std::vector<int> JsonFields::integers_of(std::string_view key, const Json::Array& items, int low,
+                                         int high) const {
   std::vector<int> all;
-  const Json::Array* const items = array(key);
-  if (items == nullptr) return all;
-  all.reserve(items->size());
-  for (const Json& item : *items) {
+  all.reserve(items.size());
+  for (const Json& item : items) {
     const auto value = item.integer();
     if (!value || *value < low || *value > high) refuse(key, "holds a number that cannot be");
     all.push_back(static_cast<int>(*value));
   }
   return all;
+}
+
+std::vector<int> JsonFields::integers(std::string_view key, int low, int high) {
+  const Json::Array* const items = array(key);
+  return items == nullptr ? std::vector<int>() : integers_of(key, *items, low, high);
+}
+
+std::vector<std::vector<int>> JsonFields::integer_lists(std::string_view key, int low, int high) {
+  std::vector<std::vector<int>> lists;
+  const Json::Array* const items = array(key);
+  if (items == nullptr) return lists;
+  for (const Json& item : *items) {
+    if (item.array() == nullptr) refuse(key, "holds something that is no list");
+    lists.push_back(integers_of(key, *item.array(), low, high));
+  }
+  return lists;
 }
 
 std::vector<double> JsonFields::numbers(std::string_view key, double low, double high) {

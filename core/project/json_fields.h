@@ -30,6 +30,7 @@ class JsonFields {
   int choice(std::string_view key, std::span<const std::string_view> words, int otherwise);
   std::vector<std::string> texts(std::string_view key);
   std::vector<int> integers(std::string_view key, int low, int high);
+  std::vector<std::vector<int>> integer_lists(std::string_view key, int low, int high);
   std::vector<double> numbers(std::string_view key, double low, double high);
   const Json::Array* array(std::string_view key);  ///< null where it is missing
   const Json* object(std::string_view key);        ///< null where it is missing
@@ -42,6 +43,8 @@ class JsonFields {
 
  private:
   const Json* find(std::string_view key);
+  [[nodiscard]] std::vector<int> integers_of(std::string_view key, const Json::Array& items, int low,
+                                             int high) const;
 
   const Json* json_;
   std::string file_;

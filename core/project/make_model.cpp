@@ -25,6 +25,10 @@ std::vector<int> sources_of(const Mesh& mesh, const Faces& faces) {
   return sources;
 }
 
+bool is_apart(const Recipe& recipe, int file_face) {
+  return group_apart(recipe, file_face) < recipe.apart.size();
+}
+
 class Maker {
  public:
   Maker(std::shared_ptr<const PolygonSoup> source, const Recipe& recipe, Progress& progress)
@@ -69,6 +73,7 @@ class Maker {
       progress_.set_phase("Checking " + source_->name);
       prepared = prepare(*source_);
     }
+    if (prepared.mesh) stages_.file_lines = lines_about_file(*source_);
     model_.report = prepared.report;
     model_.refusal = prepared.refusal;
     stages_.whole = prepared.mesh;
@@ -119,16 +124,34 @@ class Maker {
 
   void finish() {
     std::shared_ptr<const Mesh> mesh = stages_.mesh;
+    model_.origins = origins_of(*mesh);
     if (recipe_.faces > 0) mesh = simplified();
+    std::vector<EdgeId> hidden;
     if (recipe_.merges && !progress_.is_cancelled()) {
       progress_.set_phase("Merging faces of one plane");
-      MergedFaces merged = merge_coplanar_faces(*mesh);
-      mesh = std::make_shared<const Mesh>(merged.soup, merged.is_flipped, merged.face_source);
-      for (std::string& sentence : merged.sentences) model_.done.push_back(std::move(sentence));
+      mesh = merged(*mesh);
+      hidden = hidden_folds(*mesh, recipe_);
     }
     model_.report = report_on(*mesh);
     add_reader_notices(*source_, model_.report);
-    model_.dual = std::make_shared<const DualGraph>(std::move(mesh));
+    model_.dual = std::make_shared<const DualGraph>(std::move(mesh), hidden);
+  }
+
+  std::shared_ptr<const Mesh> merged(const Mesh& mesh) {
+    MergeOptions options;
+    for (const FaceId f : mesh.faces())
+      if (is_apart(recipe_, mesh.face_source(f))) options.left_alone.push_back(f);
+    MergedFaces result = merge_coplanar_faces(mesh, options);
+    std::vector<int> heirs(mesh.n_faces(), -1);
+    for (std::size_t f = 0; f < result.sources.size(); ++f)
+      for (const FaceId source : result.sources[f]) heirs[source.index()] = static_cast<int>(f);
+    for (const std::vector<FaceId>& faces : result.sources) {
+      model_.groups.push_back(faces.size() > 1 ? sources_of(mesh, faces) : std::vector<int>());
+      std::erase_if(model_.groups.raw().back(), [](int file_face) { return file_face < 0; });  // filled holes
+    }
+    model_.origins = passed_on(model_.origins, heirs);
+    for (std::string& sentence : result.sentences) model_.done.push_back(std::move(sentence));
+    return std::make_shared<const Mesh>(result.soup, result.is_flipped, result.face_source);
   }
 
   std::shared_ptr<const Mesh> simplified() {
@@ -145,6 +168,7 @@ class Maker {
     std::vector<int> sources = simplifier.sources_at(recipe_.faces);
     for (int& source : sources) source = stages_.mesh->face_source(FaceId(source));
     auto mesh = std::make_shared<const Mesh>(simplifier.soup_at(recipe_.faces), std::vector<bool>(), sources);
+    model_.origins = passed_on(model_.origins, simplifier.heirs_at(recipe_.faces));
     model_.deviation = simplifier.deviation_at(recipe_.faces);
     model_.done.push_back("Simplified from " + grouped(n_before) + " to " +
                           counted(static_cast<std::int64_t>(mesh->n_faces()), "face", "faces") + ".");
@@ -159,6 +183,16 @@ class Maker {
 };
 
 }  // namespace
+
+std::vector<EdgeId> hidden_folds(const Mesh& mesh, const Recipe& recipe) {
+  std::vector<EdgeId> folds = unmerged_flat_edges(mesh);
+  std::erase_if(folds, [&](EdgeId e) {
+    const HalfedgeId h = mesh.halfedge(e);
+    return is_apart(recipe, mesh.face_source(mesh.face(h))) ||
+           is_apart(recipe, mesh.face_source(mesh.neighbour(h)));
+  });
+  return folds;
+}
 
 MadeModel make_model(const std::shared_ptr<const PolygonSoup>& source, const Recipe& recipe,
                      const std::shared_ptr<const ModelStages>& before, Progress& progress) {

@@ -11,6 +11,7 @@
 #include "core/mesh/mesh_report.h"
 #include "core/mesh/model_parts.h"
 #include "core/mesh/simplify.h"
+#include "core/project/origins.h"
 #include "core/project/recipe.h"
 
 namespace netwright {
@@ -31,6 +32,7 @@ struct ModelStages {
   std::shared_ptr<const Mesh> mesh;              ///< without the parts that are left out
   std::vector<std::string> repaired;             ///< what was done for `whole`,
   std::vector<std::string> done;                 ///< and for `mesh`
+  std::vector<MeshReport::Line> file_lines;      ///< what the file had that the mesh has no more, with culprits
   std::shared_ptr<const Simplifier> simplifier;  ///< null until it is asked for
   std::shared_ptr<const ModelSurvey> survey;     ///< null until add_survey()
 };
@@ -41,10 +43,18 @@ struct MadeModel {
   std::string refusal;                    ///< why it is not fit, one sentence with the cure; else empty
   std::vector<std::string> done;          ///< what the recipe did, whole sentences
   double deviation = 0;                   ///< how far simplifying moved the surface, model units
-  int n_faces_least = 0;                  ///< what simplifying can reach; 0 when nothing was simplified
+  Origins origins;                        ///< which faces of the file went into which of the mesh
+  /// Of each face that was merged of several: the file's faces of those (Recipe::apart takes such a group);
+  /// else empty.
+  IdVector<FaceId, std::vector<int>> groups;
+  int n_faces_least = 0;  ///< what simplifying can reach; 0 when nothing was simplified
   std::shared_ptr<const ModelStages> stages;
   bool was_cancelled = false;
 };
+
+/// The folds of a merged mesh that need not be seen: flat within the tolerance for merging, where merging
+/// would have bent a face. Not those of groups that were split again on purpose.
+std::vector<EdgeId> hidden_folds(const Mesh& mesh, const Recipe& recipe);
 
 /// Follows the recipe. `before` may be null; its stages are used again where they still fit. Never throws for
 /// a bad model. With recipe.faces > 0 the simplifier is made (or taken over); that is the long part.

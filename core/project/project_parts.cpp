@@ -27,6 +27,16 @@ Json texts_json(const std::vector<std::string>& texts) {
   return json;
 }
 
+Json lists_json(const std::vector<std::vector<int>>& lists) {
+  Json json{Json::Array{}};
+  for (const std::vector<int>& list : lists) {
+    Json items{Json::Array{}};
+    for (const int item : list) items.add(item);
+    json.add(std::move(items));
+  }
+  return json;
+}
+
 /// Collects the textures, each picture once.
 class Pictures {
  public:
@@ -118,6 +128,7 @@ Json recipe_json(const Recipe& recipe) {
   if (!recipe.left_out.empty()) json.set("left_out", left_out);
   json.set("faces", recipe.faces);
   json.set("merges", recipe.merges);
+  if (!recipe.apart.empty()) json.set("apart", lists_json(recipe.apart));
   return json;
 }
 
@@ -182,6 +193,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   if (made.stages) made_json.set("base_done", texts_json(made.stages->done));
   made_json.set("done", texts_json(made.done));
   made_json.set("deviation", made.deviation);
+  if (!made.groups.empty()) made_json.set("groups", lists_json(made.groups.raw()));
   made_json.set("fewest_faces", made.n_faces_least);
   json.set("made", std::move(made_json));
   json.set("pins", pins_json(project.pins, mesh));

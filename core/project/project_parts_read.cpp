@@ -158,6 +158,7 @@ class Reader {
     recipe.left_out = fields.integers("left_out", 0, kMostInt);
     recipe.faces = static_cast<int>(fields.integer("faces", 0, kMostInt, recipe.faces));
     recipe.merges = fields.flag("merges", recipe.merges);
+    recipe.apart = fields.integer_lists("apart", 0, kMostInt);
     fields.finish();
     return recipe;
   }
@@ -184,8 +185,13 @@ class Reader {
     auto made = std::make_shared<MadeModel>();
     const int n_source_faces = project.source->n_faces();
     const auto mesh = read_mesh(parts_.mesh, mesh_json, n_source_faces);
+    made->groups = IdVector<FaceId, std::vector<int>>(fields.integer_lists("groups", 0, n_source_faces - 1));
+    if (!made->groups.empty() && made->groups.size() != mesh->n_faces())
+      fields.refuse("groups", "are not of this mesh");
+    made->origins = origins_of(*mesh, made->groups);
     try {
-      made->dual = std::make_shared<const DualGraph>(mesh);
+      const auto hidden = project.recipe.merges ? hidden_folds(*mesh, project.recipe) : std::vector<EdgeId>();
+      made->dual = std::make_shared<const DualGraph>(mesh, hidden);
     } catch (const Error& error) {
       refuse_damaged(file_, std::string("its mesh cannot be unfolded (") + error.what() + ")");
     }
@@ -198,6 +204,7 @@ class Reader {
     stages->source = project.source;
     stages->recipe = project.recipe;
     stages->done = fields.texts("base_done");
+    stages->file_lines = lines_about_file(*project.source);
     const Json* const base_json = fields.object("base");
     stages->mesh = parts_.base.empty() ? mesh : read_mesh(parts_.base, base_json, n_source_faces);
     fields.finish();

@@ -2,6 +2,8 @@
 // says how a mesh is made of them, so every ingredient can be changed or left out again.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -26,9 +28,18 @@ struct Recipe {
   /// Parts of the model (what hangs together along edges) that get no piece: one face of the file for each,
   /// the least of the part's, in order. A part of which any face is named is left out.
   std::vector<int> left_out{};
-  int faces = 0;        ///< simplify to at most so many; 0 = keep all
-  bool merges = false;  ///< neighbours of one plane become one face
+  int faces = 0;                          ///< simplify to at most so many; 0 = keep all
+  bool merges = false;                    ///< neighbours of one plane become one face,
+  std::vector<std::vector<int>> apart{};  ///< but not these groups that were split again: faces of the file
   bool operator==(const Recipe&) const = default;
 };
+
+/// Which of the groups in `apart` holds this face of the file; apart.size() when none does.
+inline std::size_t group_apart(const Recipe& recipe, int file_face) {
+  const auto group = std::ranges::find_if(recipe.apart, [&](const std::vector<int>& faces) {
+    return std::ranges::find(faces, file_face) != faces.end();
+  });
+  return static_cast<std::size_t>(group - recipe.apart.begin());
+}
 
 }  // namespace netwright

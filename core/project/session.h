@@ -85,7 +85,8 @@ class Session {
   void drop_pending();
 
   // How the mesh is made of the file; each change is one undo step with a name, made as a chore on the
-  // worker. A net of the old mesh goes, a running search starts again on the new one.
+  // worker. A net of the old mesh goes; where there was one, or a search runs, the new mesh is unfolded at
+  // once.
   [[nodiscard]] const Recipe& recipe() const { return project().recipe; }
   /// A mesh is being made, for pending() or by a new recipe; chore() tells how far it is, cancel_opening()
   /// gives it up (then the repairs tried before are wanted again).

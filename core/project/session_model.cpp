@@ -240,7 +240,10 @@ Recipe Session::wanted_recipe() const {
 void Session::set_recipe(const Recipe& recipe, const std::string& label) {
   if (!has_model() || recipe == wanted_recipe()) return;
   impl_->queued.reset();
-  impl_->make({recipe, label, false, false});
+  Recipe turned_only = project().recipe;
+  turned_only.up = recipe.up;
+  const bool loses_net = project().tree != nullptr && recipe != turned_only;
+  impl_->make({recipe, label, loses_net, false});
 }
 
 void Session::simplify_to(int faces, bool is_dragging) {

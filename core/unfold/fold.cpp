@@ -7,6 +7,17 @@
 
 namespace netwright {
 
+namespace {
+
+EdgeKind kind_of_fold(const DualGraph& dual, EdgeId e) {
+  if (dual.is_hidden(e)) return EdgeKind::Hidden;
+  const double bend = dual.bend(e);
+  if (std::abs(bend) < kFlatFold) return EdgeKind::Flat;
+  return bend > 0 ? EdgeKind::Mountain : EdgeKind::Valley;
+}
+
+}  // namespace
+
 IdVector<EdgeId, EdgeKind> edge_kinds(const Net& net) {
   const Mesh& mesh = net.mesh();
   IdVector<EdgeId, EdgeKind> kinds(mesh.n_edges(), EdgeKind::Cut);
@@ -14,9 +25,7 @@ IdVector<EdgeId, EdgeKind> edge_kinds(const Net& net) {
     if (mesh.is_border(e)) {
       kinds[e] = EdgeKind::Border;
     } else if (net.tree.is_fold(mesh, e)) {
-      const double bend = net.dual->bend(e);
-      kinds[e] =
-          std::abs(bend) < kFlatFold ? EdgeKind::Flat : (bend > 0 ? EdgeKind::Mountain : EdgeKind::Valley);
+      kinds[e] = kind_of_fold(*net.dual, e);
     }
   }
   return kinds;

@@ -9,7 +9,8 @@ namespace netwright {
 enum class EdgeKind {
   Mountain,  ///< folds away from the printed (outer) side: convex on the model
   Valley,    ///< folds towards it: reflex on the model
-  Flat,      ///< bent less than kFlatFold: not drawn
+  Flat,      ///< bent less than kFlatFold: not printed
+  Hidden,    ///< as good as flat, and not even hinted at (DualGraph::is_hidden)
   Cut,
   Border,  ///< the model is open here; cut too, but nothing is glued to it
 };
