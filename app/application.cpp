@@ -12,6 +12,7 @@
 #include "core/project/project_file.h"
 #include "ui/actions.h"
 #include "ui/leave.h"
+#include "ui/preferences.h"
 #include "ui/status.h"
 
 namespace netwright {
@@ -21,12 +22,28 @@ namespace {
 constexpr int kFramesAfterEvent = 3;
 constexpr double kFrame_s = 1.0 / 60;
 constexpr double kLongestWait_s = 1;
+constexpr double kSettingsEvery_s = 5;
 
 double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
+
+void remember_placement(Settings& settings, const WindowPlacement& placement) {
+  settings.is_maximized = placement.is_maximized;
+  if (placement.is_maximized || placement.size.x <= 0) return;  // the size to come back to stays
+  settings.window_width = placement.size.x;
+  settings.window_height = placement.size.y;
+  settings.window_x = placement.position.x;
+  settings.window_y = placement.position.y;
+}
+
+WindowPlacement placement_of(const Settings& settings) {
+  return {{settings.window_x, settings.window_y},
+          {settings.window_width, settings.window_height},
+          settings.is_maximized};
+}
 
 std::string window_title(const Session& session) {
   if (!session.has_model()) return "Netwright";
@@ -38,6 +55,12 @@ Application::Application(Window& window, Session::Clock clock, std::filesystem::
     : window_(window), clock_(std::move(clock)), settings_file_(std::move(settings_file)), session_(clock_) {
   if (!settings_file_.empty()) ui_.settings = load_settings(settings_file_);
   saved_settings_ = ui_.settings;
+  if (settings_file_.empty()) {
+    ui_.settings.hints_done.fill(true);  // tests and pictures are of nobody who is new here
+  } else {
+    apply_preferences(session_, ui_.settings);
+  }
+  ui_.wake = [this] { window_.wake(); };
   ui_.is_desktop_dark = desktop_prefers_dark();
   ui_.is_motion_reduced = desktop_reduces_motion();
   session_.set_wake([this] { window_.wake(); });
@@ -48,8 +71,15 @@ Application::~Application() {
   session_.set_wake({});
   // Only who quits in order has been asked about unsaved changes; after anything else they can be recovered.
   if (ui_.wants_quit) session_.give_up_changes();
-  if (!settings_file_.empty() && !(ui_.settings == saved_settings_))
-    save_settings(ui_.settings, settings_file_);
+  keep_settings();
+}
+
+void Application::keep_settings() {
+  if (settings_file_.empty()) return;
+  remember_placement(ui_.settings, window_.placement());
+  if (ui_.settings == saved_settings_) return;
+  save_settings(ui_.settings, settings_file_);
+  saved_settings_ = ui_.settings;
 }
 
 double Application::wait_seconds() const {
@@ -71,7 +101,8 @@ void Application::handle(const WindowEvent& event) {
   ui_.frames_wanted = std::max(ui_.frames_wanted, kFramesAfterEvent);
   switch (event.kind) {
     case WindowEvent::Kind::Key:
-      if (!event.is_repeat) workspace_.key(session_, ui_, event.key, event.modifiers);
+      if (!event.is_repeat || event.key == keys::kLeft || event.key == keys::kRight)
+        workspace_.key(session_, ui_, event.key, event.modifiers);
       break;
     case WindowEvent::Kind::Text:
       workspace_.character(session_, ui_, event.code_point);
@@ -137,6 +168,11 @@ void Application::turn(double longest_wait_s) {
   const bool has_changed = session_.poll();
   const bool has_old_toast = std::any_of(ui_.toasts.begin(), ui_.toasts.end(),
                                          [this](const Toast& toast) { return toast.until <= clock_(); });
+  // Now and then, so that a crash costs nobody the window's layout; not while something is being dragged.
+  if (clock_() - settings_kept_at_ > kSettingsEvery_s && !ImGui::IsAnyMouseDown()) {
+    settings_kept_at_ = clock_();
+    keep_settings();
+  }
   if (has_changed || needs_draw_ || has_old_toast || ui_.frames_wanted > 0) draw();
 }
 

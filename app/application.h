@@ -39,6 +39,8 @@ class Application {
   void open_dropped(const std::vector<std::filesystem::path>& paths);
   void update_title();
   void remember_model();
+  /// Writes the settings when they have changed.
+  void keep_settings();
 
   Window& window_;
   Session::Clock clock_;
@@ -50,7 +52,12 @@ class Application {
   std::string title_;
   std::filesystem::path known_model_;
   bool needs_draw_ = true;
+  double settings_kept_at_ = 0;
 };
+
+/// Where the window lies, to and from the settings. A maximized window keeps the size it had before.
+void remember_placement(Settings& settings, const WindowPlacement& placement);
+WindowPlacement placement_of(const Settings& settings);
 
 /// What the window is called: the model, and how its search stands.
 std::string window_title(const Session& session);

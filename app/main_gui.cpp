@@ -36,6 +36,7 @@ struct Options {
   std::filesystem::path model;
   std::filesystem::path screenshot;
   glm::ivec2 size{1440, 900};
+  bool has_size = false;
   std::optional<ThemeChoice> theme;
   int scale_percent = 0;
   bool wants_solve = false;
@@ -77,6 +78,7 @@ void read_option(Options& options, const std::string& name, const std::function<
     options.screenshot = value();
   } else if (name == "--size") {
     options.size = size_of(value());
+    options.has_size = true;
   } else if (name == "--theme") {
     options.theme = theme_of(value());
   } else if (name == "--scale") {
@@ -162,7 +164,9 @@ int take_screenshot(const Options& options) {
 }
 
 int run_editor(const Options& options) {
-  const auto window = open_window({"Netwright", options.size});
+  WindowOptions wanted{"Netwright", options.size, {}};
+  if (!options.has_size) wanted.placement = placement_of(load_settings(settings_path()));
+  const auto window = open_window(wanted);
   Application application(*window, steady_clock(), settings_path());
   if (const auto folder = state_folder(); !folder.empty()) application.session().keep_changes_in(folder);
   apply_options(application, options);

@@ -51,6 +51,21 @@ struct WindowDeleter {
   void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 };
 
+/// Can the window still be taken by its upper edge? Screens come and go.
+bool is_on_screen(const WindowPlacement& placement) {
+  const glm::ivec2 handle = placement.position + glm::ivec2(placement.size.x / 2, 0);
+  int n = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&n);
+  for (int i = 0; i < n; ++i) {
+    glm::ivec2 corner(0);
+    glm::ivec2 size(0);
+    glfwGetMonitorWorkarea(monitors[i], &corner.x, &corner.y, &size.x, &size.y);
+    const glm::ivec2 inside = handle - corner;
+    if (inside.x >= 0 && inside.y >= 0 && inside.x < size.x && inside.y < size.y) return true;
+  }
+  return false;
+}
+
 std::unique_ptr<GLFWwindow, WindowDeleter> create(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -60,9 +75,18 @@ std::unique_ptr<GLFWwindow, WindowDeleter> create(const WindowOptions& options) 
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "netwright");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "netwright");
+  const bool is_known =
+      options.placement.size.x >= kSmallestSize.x && options.placement.size.y >= kSmallestSize.y;
+  const glm::ivec2 wanted = is_known ? options.placement.size : options.size;
+  if (is_known) glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);  // the size is that on its screen
+  glfwWindowHint(GLFW_MAXIMIZED, options.placement.is_maximized ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // it should not be seen jumping
   std::unique_ptr<GLFWwindow, WindowDeleter> window(
-      glfwCreateWindow(options.size.x, options.size.y, options.title.c_str(), nullptr, nullptr));
+      glfwCreateWindow(wanted.x, wanted.y, options.title.c_str(), nullptr, nullptr));
   if (!window) throw no_window(last_glfw_error());
+  if (is_known && !options.placement.is_maximized && is_on_screen(options.placement))
+    glfwSetWindowPos(window.get(), options.placement.position.x, options.placement.position.y);
+  glfwShowWindow(window.get());
   glfwSetWindowSizeLimits(window.get(), kSmallestSize.x, kSmallestSize.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);
@@ -159,6 +183,14 @@ class GlfwWindow final : public Window {
       image.rgba.insert(image.rgba.end(), from, from + static_cast<std::ptrdiff_t>(row));
     }
     return image;
+  }
+
+  [[nodiscard]] WindowPlacement placement() const override {
+    WindowPlacement placement;
+    glfwGetWindowPos(window_.get(), &placement.position.x, &placement.position.y);
+    glfwGetWindowSize(window_.get(), &placement.size.x, &placement.size.y);
+    placement.is_maximized = glfwGetWindowAttrib(window_.get(), GLFW_MAXIMIZED) == GLFW_TRUE;
+    return placement;
   }
 
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_.get(), title.c_str()); }

@@ -70,6 +70,13 @@ struct WindowEvent {
   std::vector<std::filesystem::path> paths;
 };
 
+/// Where a window lies on the desktop, in screen units; a size of 0 is not known.
+struct WindowPlacement {
+  glm::ivec2 position{0, 0};
+  glm::ivec2 size{0, 0};
+  bool is_maximized = false;
+};
+
 /// One frame is: wait_events, take_events, begin_frame, ImGui::NewFrame … ImGui::Render, present. Mouse and
 /// text reach ImGui by themselves; shortcuts should be taken from the event queue, which loses no key on slow
 /// frames, unless io.WantTextInput.
@@ -99,6 +106,7 @@ class Window {
   virtual void refresh_fonts() = 0;
   /// The frame presented last, or being shown; rows from top to bottom.
   [[nodiscard]] virtual Image read_pixels() const = 0;
+  [[nodiscard]] virtual WindowPlacement placement() const = 0;
   virtual void set_title(const std::string& title) = 0;
   /// Is drawing done by the processor? Then multisampling and other luxuries are off.
   [[nodiscard]] virtual bool is_software() const = 0;
@@ -114,6 +122,8 @@ class Window {
 struct WindowOptions {
   std::string title = "Netwright";
   glm::ivec2 size{1440, 900};
+  WindowPlacement
+      placement{};  ///< of the last time; taken where its size is known and it is still on a screen
 };
 
 /// Opens a real window. Throws Error(Usage) with one sentence and a cure when there is no display, no window

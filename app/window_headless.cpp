@@ -300,6 +300,8 @@ Image HeadlessWindow::read_pixels() const {
   return image;
 }
 
+WindowPlacement HeadlessWindow::placement() const { return {{0, 0}, size_px(), false}; }
+
 void HeadlessWindow::set_title(const std::string& title) { impl_->title = title; }
 bool HeadlessWindow::is_software() const { return impl_->is_software; }
 const std::string& HeadlessWindow::title() const { return impl_->title; }

@@ -38,6 +38,7 @@ class HeadlessWindow : public Window {
   void present() override;
   void refresh_fonts() override;
   [[nodiscard]] Image read_pixels() const override;
+  [[nodiscard]] WindowPlacement placement() const override;
   void set_title(const std::string& title) override;
   [[nodiscard]] bool is_software() const override;
   [[nodiscard]] const std::string& title() const;

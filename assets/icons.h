@@ -28,6 +28,7 @@ inline constexpr const char* kPlay = "\uf40a";           // play
 inline constexpr const char* kPause = "\uf3e4";          // pause
 inline constexpr const char* kStop = "\uf4db";           // stop
 inline constexpr const char* kStep = "\uf4d7";           // step-forward
+inline constexpr const char* kStepBack = "\uf4d5";       // step-backward
 inline constexpr const char* kSkip = "\uf4ac";           // skip-forward
 inline constexpr const char* kReplay = "\uf45f";         // rewind
 inline constexpr const char* kSpeed = "\uf4c5";          // speedometer

@@ -35,76 +35,148 @@ std::vector<EdgeId> folds_of(const Net& net) {
   return folds;
 }
 
+std::shared_ptr<const RunLog> log_of(SolveResult result) { return std::make_shared<const RunLog>(result); }
+
+/// A run of three episodes, the last of which goes back and forth so long that it cannot be followed.
+SolveResult long_run() {
+  SolveResult result = solved_with_moves();
+  const Episode first = result.log.front();
+  const MoveRecord move = result.log.back().moves.back();
+  MoveRecord back = move;
+  std::swap(back.removed, back.inserted);
+  back.overlaps_after = 3;
+  for (int i = 0; i < 300; ++i) {
+    result.log.back().moves.push_back(back);
+    result.log.back().moves.push_back(move);
+  }
+  result.log.insert(result.log.begin(), 2, first);
+  result.moves = 10000;
+  result.restarts = 7;
+  return result;
+}
+
 TEST(Replay, EndsAtTheNetThatWasFound) {
   int n_proved = 0;
   for (const testing::ZooShape& shape : testing::zoo()) {
     const SolveResult result = solved(shape.soup, 1);
     if (!result.is_proved) continue;
     ++n_proved;
-    Replay replay(result);
-    replay.advance_to(replay.n_steps() - 1);
+    Replay replay(log_of(result));
+    const int last = replay.log().n_steps() - 1;
+    replay.seek(last);
     EXPECT_EQ(replay.net().tree, result.net.tree) << shape.soup.name;
     EXPECT_EQ(folds_of(replay.net()), folds_of(result.net)) << shape.soup.name;
-    EXPECT_EQ(replay.overlaps(), 0) << shape.soup.name;
-    EXPECT_EQ(replay.moves(), result.moves) << shape.soup.name;
-    EXPECT_EQ(replay.restarts(), result.restarts) << shape.soup.name;
+    EXPECT_EQ(replay.log().overlaps(last), 0) << shape.soup.name;
+    EXPECT_EQ(replay.log().moves(last), result.moves) << shape.soup.name;
+    EXPECT_EQ(replay.log().restarts(last), result.restarts) << shape.soup.name;
   }
   EXPECT_GT(n_proved, 30);
 }
 
 TEST(Replay, TellsTheOverlapsThatItsNetsHave) {
-  const SolveResult result = solved_with_moves();
-  Replay replay(result);
-  for (int i = 0; i < replay.n_steps(); ++i) {
-    replay.advance_to(i);
-    EXPECT_EQ(static_cast<int>(find_overlaps(replay.net(), kSolveDepth).size()), replay.overlaps()) << i;
-    EXPECT_LE(replay.best_overlaps(), replay.overlaps());
+  Replay replay(log_of(solved_with_moves()));
+  const RunLog& log = replay.log();
+  int fewest = log.overlaps(0);
+  for (int i = 0; i < log.n_steps(); ++i) {
+    replay.seek(i);
+    EXPECT_EQ(static_cast<int>(find_overlaps(replay.net(), kSolveDepth).size()), log.overlaps(i)) << i;
+    fewest = std::min(fewest, log.overlaps(i));
+    EXPECT_EQ(log.fewest_overlaps(i), fewest);
+  }
+  EXPECT_EQ(log.best_position(), log.n_steps() - 1) << "a proved net is where the search ends";
+}
+
+TEST(Replay, ReachesTheSameMomentFromEverywhere) {
+  const auto log = log_of(long_run());
+  std::vector<UnfoldTree> trees;
+  for (int i = 0; i < log->n_steps(); i += 7) {
+    Replay fresh(log);
+    fresh.seek(i);
+    trees.push_back(fresh.net().tree);
+  }
+  Replay replay(log);
+  Random random(5);
+  for (int k = 0; k < 300; ++k) {
+    const int i = random.below(static_cast<int>(trees.size()));
+    replay.seek(7 * i);
+    ASSERT_EQ(replay.position(), 7 * i);
+    ASSERT_EQ(replay.net().tree, trees[static_cast<std::size_t>(i)]) << "position " << 7 * i;
   }
 }
 
-TEST(Replay, ReachesTheSameMomentInOneLeapAsStepByStep) {
-  const SolveResult result = solved_with_moves();
-  Replay slow(result);
-  for (int i = 0; i < slow.n_steps(); ++i) {
-    slow.advance_to(i);
-    Replay leap(result);
-    leap.advance_to(i);
-    EXPECT_EQ(leap.net().tree, slow.net().tree);
-    EXPECT_EQ(leap.history(), slow.history());
-    EXPECT_EQ(leap.moves(), slow.moves());
+TEST(Replay, GoesBackMoveByMove) {
+  const auto log = log_of(solved_with_moves());
+  Replay replay(log);
+  replay.seek(log->n_steps() - 1);
+  for (int i = log->n_steps() - 1; i >= 0; --i) {
+    replay.seek(i);
+    Replay forward(log);
+    forward.seek(i);
+    EXPECT_EQ(replay.net().tree, forward.net().tree) << i;
   }
+}
+
+TEST(Replay, StopsAtBothEnds) {
+  const auto log = log_of(long_run());
+  Replay replay(log);
+  replay.seek(1 << 20);
+  EXPECT_EQ(replay.position(), log->n_steps() - 1);
+  replay.seek(-3);
+  EXPECT_EQ(replay.position(), 0);
+  EXPECT_FALSE(log->move(0).has_value());
 }
 
 TEST(Replay, StandsStillAtTheRootsOfTheResult) {
   const SolveResult result = solved_with_moves();
   const FaceId root = result.net.tree.roots().front();
-  Replay replay(result);
-  for (int i = 0; i < replay.n_steps(); ++i) {
-    replay.advance_to(i);
+  Replay replay(log_of(result));
+  for (int i = 0; i < replay.log().n_steps(); ++i) {
+    replay.seek(i);
     EXPECT_EQ(replay.net().placement[root], result.net.placement[root]);
   }
 }
 
-TEST(Replay, NeverTakesLongerThanTwoSeconds) {
-  SolveResult result = solved_with_moves();
-  EXPECT_LE(Replay(result).seconds(), Replay::kLongest);
-  const MoveRecord move = result.log.back().moves.back();
-  MoveRecord back = move;
-  std::swap(back.removed, back.inserted);
-  for (int i = 0; i < 300; ++i) {
-    result.log.back().moves.push_back(back);
-    result.log.back().moves.push_back(move);
-  }
-  result.log.insert(result.log.begin(), result.log.front());
-  result.moves = 10000;
-  result.restarts = 7;
-  Replay replay(result);
+TEST(Replay, NeverTakesLongerThanTwoSecondsByItself) {
+  EXPECT_LE(Replay(log_of(solved_with_moves())).seconds(), Replay::kLongest);
+  const SolveResult result = long_run();
+  const auto whole = log_of(result);
+  const auto log = std::make_shared<const RunLog>(*whole, RunLog::Extent::Followable);
+  Replay replay(log);
   EXPECT_EQ(replay.seconds(), Replay::kLongest);
-  EXPECT_EQ(replay.restarts(), 7) << "only the last episode of a long run is played";
-  replay.advance_to(1 << 20);
-  EXPECT_EQ(replay.position(), replay.n_steps() - 1);
-  EXPECT_EQ(replay.moves(), 10000);
+  EXPECT_LT(log->n_steps(), whole->n_steps());
+  EXPECT_EQ(log->restarts(0), 7) << "only the last episode of a long run is played";
+  replay.seek(log->n_steps() - 1);
+  EXPECT_EQ(log->moves(replay.position()), 10000);
   EXPECT_EQ(replay.net().tree, result.net.tree);
+}
+
+TEST(RunLog, CountsMovesAndRestartsOverItsEpisodes) {
+  const SolveResult result = long_run();
+  const auto log = log_of(result);
+  const auto n_first = static_cast<int>(result.log.front().moves.size());
+  EXPECT_EQ(log->begin_of(1), n_first + 1);
+  EXPECT_EQ(log->restarts(0), 5);
+  EXPECT_EQ(log->restarts(n_first), 5);
+  EXPECT_EQ(log->restarts(n_first + 1), 6);
+  EXPECT_EQ(log->moves(n_first), log->moves(0) + n_first);
+  EXPECT_EQ(log->moves(n_first + 1), log->moves(n_first)) << "a restart is no move";
+  EXPECT_EQ(log->overlaps(n_first + 1), result.log[1].overlaps_at_start);
+  EXPECT_EQ(log->n_moves(), log->n_steps() - 3);
+  EXPECT_EQ(log->overlaps(log->best_position()), 0);
+  EXPECT_GT(log->bytes(), 600 * sizeof(MoveRecord));
+}
+
+TEST(RunLog, ThinsItsHistoryButKeepsTheEnds) {
+  const auto log = log_of(long_run());
+  std::int64_t stride = 0;
+  const std::vector<int> whole = log->history(1 << 20, stride);
+  EXPECT_EQ(stride, 1);
+  EXPECT_EQ(static_cast<std::int64_t>(whole.size()), log->n_moves() + 1);
+  const std::vector<int> thin = log->history(50, stride);
+  EXPECT_LE(thin.size(), 51U);
+  EXPECT_GE(static_cast<std::int64_t>(thin.size()) * stride, log->n_moves());
+  EXPECT_EQ(thin.front(), whole.front());
+  EXPECT_EQ(thin.back(), whole.back());
 }
 
 /// Does taking this edge for one of the folds on the climb give a tree again?
@@ -126,12 +198,12 @@ bool reconnects(const Mesh& mesh, const UnfoldTree& before, const std::vector<Fa
 TEST(ShownNet, TracesTheClimbOfAMoveInTheTreeBeforeIt) {
   const SolveResult result = solved_with_moves();
   const Mesh& mesh = result.net.mesh();
-  Replay replay(result);
+  Replay replay(log_of(result));
   int n_traced = 0;
-  for (int i = 0; i < replay.n_steps(); ++i) {
+  for (int i = 0; i < replay.log().n_steps(); ++i) {
     UnfoldTree before = replay.net().tree;
-    replay.advance_to(i);
-    const std::optional<MoveRecord> move = replay.last_move();
+    replay.seek(i);
+    const std::optional<MoveRecord> move = replay.log().move(i);
     if (!move) continue;
     before.reroot(mesh, move->root);
     ShownNet shown = make_shown_net(replay.net(), {}, false);

@@ -52,5 +52,11 @@ TEST(Subprocess, SaysWhenThereIsNoSuchProgram) {
 
 TEST(Subprocess, FindsItsOwnFolder) { EXPECT_TRUE(std::filesystem::is_directory(program_folder())); }
 
+TEST(Subprocess, EndsAChildWhoseWorkIsCancelled) {
+  Progress progress;
+  progress.cancel();
+  EXPECT_EQ(run_child("/bin/sleep", {"1000"}, "", {.progress = &progress}).end, ChildResult::End::Cancelled);
+}
+
 }  // namespace
 }  // namespace netwright

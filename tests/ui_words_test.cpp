@@ -34,6 +34,13 @@ TEST(StatusWords, AnEmptySessionHasNoModel) {
   EXPECT_EQ(status_of(session).text, "no model");
 }
 
+TEST(StatusWords, SayHowLongWorkStillTakesOnceThatCanBeTold) {
+  EXPECT_EQ(seconds_left(0.01, 10), 0) << "too little is done to tell";
+  EXPECT_EQ(seconds_left(0.5, 0.1), 0);
+  EXPECT_EQ(seconds_left(1, 10), 0);
+  EXPECT_DOUBLE_EQ(seconds_left(0.25, 3), 9);
+}
+
 TEST(SpeedSlider, GoesFromOneMoveASecondToFullSpeedAndBack) {
   EXPECT_DOUBLE_EQ(speed_of_slider(0), 1);
   EXPECT_TRUE(std::isinf(speed_of_slider(1)));

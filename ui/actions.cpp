@@ -11,6 +11,7 @@
 #include "ui/leave.h"
 #include "ui/measure.h"
 #include "ui/pinning.h"
+#include "ui/run_actions.h"
 #include "ui/selection.h"
 
 namespace netwright {
@@ -20,7 +21,12 @@ constexpr int kShiftBit = 1;
 constexpr int kControlBit = 2;
 constexpr int kSpaceKey = 32;
 constexpr int kEscapeKey = 256;
+constexpr int kEnterKey = 257;
 constexpr int kDeleteKey = 261;
+constexpr int kRightKey = 262;
+constexpr int kLeftKey = 263;
+constexpr int kPageUpKey = 266;
+constexpr int kPageDownKey = 267;
 constexpr int kHomeKey = 268;
 constexpr int kF1Key = 290;
 constexpr double kToastSeconds = 5;
@@ -45,7 +51,9 @@ std::string needs_leftovers(const UiContext& c) {
 
 std::string needs_sheets(const UiContext& c) {
   if (!c.session.has_model()) return "Open a model first.";
-  if (is_busy(c)) return "The search is still running.";
+  if (is_busy(c)) return "The search is still running; the best run so far can be exported from the runs.";
+  if (c.session.viewed_run() != 0 && c.session.viewed_run() != c.session.accepted_run())
+    return c.session.shown()->overlaps.empty() ? "" : "This run has overlaps left.";
   const auto shown = c.session.shown();
   if (shown == nullptr || !shown->is_proved) return "Unfold the model into one piece first (Space).";
   return c.session.sheets() == nullptr ? "The pages are still being laid out." : "";
@@ -90,6 +98,8 @@ std::string needs_looks(const UiContext& c) {
 
 void ask_export(UiContext& c, const char* extension) {
   c.ui.export_extension = extension;
+  const int viewed = c.session.viewed_run();
+  c.ui.export_run = viewed == c.session.accepted_run() ? 0 : viewed;
   c.ui.dialog = Dialog::Export;
 }
 
@@ -292,6 +302,11 @@ const auto kActions = std::to_array<Action>({
      [](UiContext& c) { c.session.undo(); }, nullptr, undo_label},
     {ActionId::Redo, "Redo", icon::kRedo, {'Y', kControlBit}, "Makes the change again", needs_redo,
      [](UiContext& c) { c.session.redo(); }, nullptr, redo_label},
+    {ActionId::ShowHistory, "History", "", {'H', kControlBit}, "Lists all steps that can be undone or redone",
+     needs_history, show_history, nullptr, nullptr},
+    {ActionId::Preferences, "Preferences…", icon::kSettings, {',', kControlBit},
+     "Looks, lengths, paper, file dialogs and more", always, [](UiContext& c) { c.ui.dialog = Dialog::Preferences; },
+     nullptr, nullptr},
     {ActionId::ShowReport, "Show report", icon::kInfo, {}, "Says what is known about the model", needs_model,
      show_report, nullptr, nullptr},
     {ActionId::MergeFaces, "Merge faces of one plane", icon::kFaces, {'M', 0},
@@ -334,6 +349,25 @@ const auto kActions = std::to_array<Action>({
      clear_all_pins, nullptr, nullptr},
     {ActionId::SkipReplay, "Skip the replay", icon::kSkip, {}, "Shows the finished net at once", needs_replay,
      [](UiContext& c) { c.session.skip_replay(); }, nullptr, nullptr},
+    {ActionId::NewerRun, "Look at the newer run", icon::kChevronUp, {kPageUpKey, 0},
+     "Shows the run above in the list; the project stays as it is", needs_runs, view_newer_run, nullptr, nullptr},
+    {ActionId::OlderRun, "Look at the older run", icon::kChevronDown, {kPageDownKey, 0},
+     "Shows the run below in the list; the project stays as it is", needs_runs, view_older_run, nullptr, nullptr},
+    {ActionId::AcceptRun, "Accept the run", icon::kDone, {kEnterKey, 0}, "Makes this run's net the project's",
+     needs_acceptable_run, accept_viewed_run, nullptr, nullptr},
+    {ActionId::LeaveRun, "Back to the net", icon::kClose, {}, "Shows the project's own net again", needs_viewed_run,
+     leave_run, nullptr, nullptr},
+    {ActionId::DeleteRun, "Delete the run", icon::kDelete, {kDeleteKey, kShiftBit}, "Takes the run off the list",
+     needs_viewed_run, delete_viewed_run, nullptr, nullptr},
+    {ActionId::ExportBestRun, "Export the best run…", icon::kPrint, {'P', kControlBit | kShiftBit},
+     "Writes the net of the best finished run, also while a search goes on", needs_proved_run, export_best_run,
+     nullptr, nullptr},
+    {ActionId::PlayMoves, "Play the moves", icon::kPlay, {'V', 0}, "Plays the run's recorded moves, or holds them",
+     needs_timeline, play_or_hold, is_playing, play_label},
+    {ActionId::MoveBack, "Move back", icon::kStepBack, {kLeftKey, 0}, "Takes one recorded move back", needs_timeline,
+     move_back, nullptr, nullptr},
+    {ActionId::MoveOn, "Move on", icon::kStep, {kRightKey, 0}, "Makes the next recorded move", needs_timeline,
+     move_on, nullptr, nullptr},
     {ActionId::Frame, "Frame all", icon::kFullscreen, {'F', 0}, "Fits model and net into their views", needs_model,
      frame_all, nullptr, nullptr},
     {ActionId::Home, "Home view", icon::kHome, {kHomeKey, 0}, "Looks at the model as at first", needs_model,
@@ -365,6 +399,8 @@ const auto kActions = std::to_array<Action>({
      needs_net, toggle<&Settings::show_numbers>, is_set<&Settings::show_numbers>, nullptr},
     {ActionId::ToggleSide, "Side panel", icon::kMenu, {kF1Key + 8, 0}, "Shows or hides the panels at the left",
      needs_width, toggle<&Settings::is_side_open>, is_set<&Settings::is_side_open>, nullptr},
+    {ActionId::OpenMenus, "Menus", "", {kF1Key + 9, 0}, "Opens the menus for the arrow keys", always,
+     [](UiContext& c) { c.ui.wants_menus = true; }, nullptr, nullptr},
     {ActionId::Keys, "Keys", icon::kKeyboard, {kF1Key, 0}, "Lists keys and mouse gestures", always,
      [](UiContext& c) { c.ui.dialog = Dialog::Keys; }, nullptr, nullptr},
     {ActionId::About, "About Netwright", icon::kInfo, {}, "Says what this program is", always,
@@ -387,8 +423,13 @@ std::string shortcut_text(const Shortcut& shortcut) {
   if ((shortcut.modifiers & kShiftBit) != 0) text += "Shift+";
   if (shortcut.key == kSpaceKey) return text + "Space";
   if (shortcut.key == kEscapeKey) return text + "Esc";
-  if (shortcut.key == kHomeKey) return text + "Home";
+  if (shortcut.key == kEnterKey) return text + "Enter";
   if (shortcut.key == kDeleteKey) return text + "Del";
+  if (shortcut.key == kRightKey) return text + "→";
+  if (shortcut.key == kLeftKey) return text + "←";
+  if (shortcut.key == kPageUpKey) return text + "Page Up";
+  if (shortcut.key == kPageDownKey) return text + "Page Down";
+  if (shortcut.key == kHomeKey) return text + "Home";
   if (shortcut.key == kF1Key) return text + "?";
   if (shortcut.key > kF1Key && shortcut.key <= kF1Key + 11)
     return text + "F" + std::to_string(shortcut.key - kF1Key + 1);
@@ -440,7 +481,12 @@ bool run_shortcut(UiContext& context, const Shortcut& pressed) {
     }
     // Esc is also how people get out of things; pressing it once too often is no mistake to be told about.
     const bool is_idle_escape = candidate.id == ActionId::Stop && !is_possible(context, ActionId::Stop);
-    if (is_idle_escape) {
+    const bool is_about_a_run = candidate.id == ActionId::AcceptRun || candidate.id == ActionId::MoveBack ||
+                                candidate.id == ActionId::MoveOn;
+    if (is_about_a_run && context.session.viewed_run() == 0) return false;
+    if (is_idle_escape && context.session.viewed_run() != 0) {
+      context.session.view_run(0);
+    } else if (is_idle_escape) {
       clear_selection(context.ui);
     } else {
       run_action(context, candidate.id);

@@ -17,9 +17,9 @@
 namespace netwright {
 namespace {
 
-constexpr std::array<const char*, 9> kTitles{
+constexpr std::array<const char*, 10> kTitles{
     "",       "Open a model or project", "Export the net",    "Keys and mouse",      "About Netwright",
-    "Repair", "Save the project",        "Save the changes?", "Recover unsaved work"};
+    "Repair", "Save the project",        "Save the changes?", "Recover unsaved work", "Preferences"};
 
 std::vector<std::string> readable_extensions() {
   std::vector<std::string> all{std::string(kProjectExtension)};
@@ -65,15 +65,16 @@ void Dialogs::begin(UiContext& context) {
   UiState& ui = context.ui;
   present_ = ui.dialog;
   if (present_ == Dialog::Open) {
-    browser_.begin({FileBrowser::Mode::Open, latest_folder(ui.settings), "", readable_extensions()});
+    const auto folder = latest_folder(ui.settings);
+    if (ask_desktop(context, {false, "Open a model", folder, readable_extensions()})) return;
+    browser_.begin({FileBrowser::Mode::Open, folder, "", readable_extensions()});
   } else if (present_ == Dialog::Export) {
     const auto& path = context.session.project().path;
     const auto& last = ui.settings.export_folder;
     const auto folder = !last.empty() ? last : (path.empty() ? home_folder() : path.parent_path());
-    browser_.begin({FileBrowser::Mode::Save,
-                    folder,
-                    file_stem(context.session) + "." + ui.export_extension,
-                    {ui.export_extension}});
+    const std::string name = file_stem(context.session) + "." + ui.export_extension;
+    if (ask_desktop(context, {true, "Export the net", folder / name, {ui.export_extension}})) return;
+    browser_.begin({FileBrowser::Mode::Save, folder, name, {ui.export_extension}});
   }
   if (present_ == Dialog::Save) begin_save(context);
   if (present_ == Dialog::Repair) {
@@ -175,7 +176,9 @@ void Dialogs::choose_format(UiState& ui) {
 
 void Dialogs::draw_export(UiContext& context) {
   UiState& ui = context.ui;
-  if (!begin_window(ui, 720, 560)) return;
+  const std::string title =
+      ui.export_run == 0 ? "" : "Export the net of run " + std::to_string(ui.export_run);
+  if (!begin_window(ui, 720, 560, title)) return;
   choose_format(ui);
   const float height = ImGui::GetContentRegionAvail().y - ui.look.px(44);
   auto chosen = browser_.draw(ui, height);
@@ -187,7 +190,7 @@ void Dialogs::draw_export(UiContext& context) {
   }
   if (chosen) {
     ui.settings.export_folder = browser_.folder();
-    context.session.export_to(*chosen);
+    export_net(context, *chosen);
     finish(context);
   }
   ImGui::EndPopup();
@@ -203,6 +206,7 @@ void Dialogs::draw_keys(UiContext& context) {
       if (!keys.empty()) key_line(ui, keys + "    ", std::string(entry.what));
     }
     ImGui::TableNextRow(ImGuiTableRowFlags_None, ui.look.px(12));
+    key_line(ui, "Tab, Shift+Tab", "Goes to the next control or back; Space presses it, arrows slide it");
     key_line(ui, "Left drag", "Turns the model; moves the net from an empty place");
     key_line(ui, "Right or middle drag    ", "Moves the model or the net");
     key_line(ui, "Wheel", "Zooms at the pointer");
@@ -239,9 +243,16 @@ void Dialogs::draw(UiContext& context) {
       present_ != Dialog::None && present_ != Dialog::Unsaved && present_ != Dialog::Save;
   if (is_in_the_way && context.ui.leaving && !finish_recovery_) is_cancelled_ = true;
   if (context.ui.dialog != Dialog::None && present_ == Dialog::None) begin(context);
+  if (picker_.is_up()) {
+    take_desktop(context);
+    return;
+  }
   switch (present_) {
     case Dialog::None:
       return;
+    case Dialog::Preferences:
+      draw_preferences(context);
+      break;
     case Dialog::Open:
       draw_open(context);
       break;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render/gl_objects.h"
+#include "ui/desktop_picker.h"
 #include "ui/file_browser.h"
 
 namespace netwright {
@@ -39,6 +40,12 @@ class Dialogs {
   void draw_unsaved(UiContext& context);
   void draw_recover(UiContext& context);
   void draw_leftover(UiContext& context, const Leftover& leftover, std::size_t index);
+  // dialog_desktop.cpp
+  void draw_preferences(UiContext& context);
+  /// True when the desktop's dialog was asked for the file; take_desktop() brings the answer.
+  bool ask_desktop(UiContext& context, const PickRequest& request);
+  void take_desktop(UiContext& context);
+  static void export_net(UiContext& context, const std::filesystem::path& path);
   bool begin_window(const UiState& ui, float width, float height, const std::string& title = "") const;
   /// What stands at the bottom: a notice at the left, Cancel (where there is something to cancel) and the
   /// main button at the right.
@@ -53,6 +60,8 @@ class Dialogs {
   bool footer(UiContext& context, const Footer& what);
 
   FileBrowser browser_;
+  DesktopPicker picker_;
+  bool wants_own_once_ = false;  ///< the desktop's dialog failed: ours for this time
   Dialog present_ = Dialog::None;
   bool is_cancelled_ = false;
   bool is_accepted_ = false;

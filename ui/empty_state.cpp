@@ -118,8 +118,9 @@ bool EmptyState::card(UiContext& context, std::size_t index, ImVec2 size, const 
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + size.x, min.y + size.y);
   const std::string name = "sample/" + std::string(sample.title);
-  const bool is_pressed = ImGui::InvisibleButton(name.c_str(), size);
+  bool is_pressed = ImGui::InvisibleButton(name.c_str(), size);
   note_widget(ui, name);
+  is_pressed = pressed_by_key(ui, name) || is_pressed;
   const bool is_hovered = ImGui::IsItemHovered();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, max, look.colours.field, look.px(4));

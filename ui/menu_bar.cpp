@@ -1,6 +1,7 @@
 // The menus. Entries come from the table of actions; what depends on files or lists stands here.
 #include <array>
 #include <string>
+#include <utility>
 
 #include "ui/actions.h"
 #include "ui/frame_parts.h"
@@ -144,8 +145,13 @@ float draw_menu_bar(UiContext& context) {
     fill();
     ImGui::EndMenu();
   };
+  if (std::exchange(context.ui.wants_menus, false)) ImGui::OpenPopup("File");
   menu("File", [&] { file_menu(context); });
-  menu("Edit", [&] { plain_menu(context, {ActionId::Undo, ActionId::Redo}); });
+  menu("Edit", [&] {
+    plain_menu(context, {ActionId::Undo, ActionId::Redo, ActionId::ShowHistory});
+    ImGui::Separator();
+    plain_menu(context, {ActionId::Preferences});
+  });
   menu("Model", [&] {
     plain_menu(context, {ActionId::ShowReport});
     ImGui::Separator();
@@ -162,6 +168,11 @@ float draw_menu_bar(UiContext& context) {
     ImGui::Separator();
     plain_menu(context, {ActionId::PinRoot, ActionId::MustFold, ActionId::MustCut, ActionId::KeepTogether,
                          ActionId::ClearPins, ActionId::ClearAllPins});
+    ImGui::Separator();
+    plain_menu(context, {ActionId::NewerRun, ActionId::OlderRun, ActionId::AcceptRun, ActionId::LeaveRun,
+                         ActionId::DeleteRun, ActionId::ExportBestRun});
+    ImGui::Separator();
+    plain_menu(context, {ActionId::PlayMoves, ActionId::MoveBack, ActionId::MoveOn});
   });
   menu("View", [&] { view_menu(context); });
   menu("Help", [&] { plain_menu(context, {ActionId::Keys, ActionId::About}); });

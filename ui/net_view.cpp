@@ -12,6 +12,7 @@
 #include "ui/pointing.h"
 #include "ui/selection.h"
 #include "ui/status.h"
+#include "ui/timeline.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -55,7 +56,9 @@ void NetView::follow_net(UiContext& context, const Scene& scene) {
   model_version_ = scene.model_version();
   version_ = scene.version();
   was_on_pages_ = scene.is_on_pages();
-  const bool is_resting = context.session.state() == RunState::Idle;
+  const auto line = context.session.timeline();
+  const bool is_moving = line && line->position != line->home;
+  const bool is_resting = context.session.state() == RunState::Idle && !is_moving;
   const bool is_due =
       is_asked || is_laid_anew || needs_framing(camera_, scene.net_box()) || (is_new && is_resting);
   if (is_due && !is_moved_by_user_) camera_.frame(scene.net_box(), ui.look.px(24));
@@ -173,7 +176,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
                ActionId::TogglePages, ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const ImVec2 size(room.x, room.y - legend_height(ui));
+  const ImVec2 size(room.x, room.y - legend_height(ui) - timeline_height(context));
   if (size.x < 1 || size.y < 1) return;
   camera_.set_size({size.x, size.y});
   follow_net(context, scene);
@@ -194,6 +197,8 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   draw_measured(context, scene, corner);
   if (scene.net() == nullptr && context.session.state() == RunState::Idle) draw_empty_desk(ui, corner, size);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
+  draw_timeline(context);
+  ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y + timeline_height(context)));
   draw_legend(context, scene.shown().get());
 }
 

@@ -85,9 +85,19 @@ void draw_curve(const UiState& ui, const Frame& frame, const std::vector<int>& h
   draw.AddCircleFilled(ImVec2(x, y), ui.look.px(4), history.back() == 0 ? ui.look.colours.good : line, 16);
 }
 
+void draw_mark(const UiState& ui, const Frame& frame, const RunFigures& figures) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float x = std::floor(frame.x(static_cast<double>(figures.at_move))) + 0.5F;
+  draw.AddLine(ImVec2(x, frame.min.y), ImVec2(x, frame.max.y), ui.look.colours.text, ui.look.px(1));
+  const ImVec2 dot(x, frame.y(figures.overlaps));
+  draw.AddCircleFilled(dot, ui.look.px(4), ui.look.colours.text, 16);
+}
+
 }  // namespace
 
-void overlap_chart(const UiState& ui, const std::vector<int>& history, std::int64_t stride, bool is_running) {
+void overlap_chart(const UiState& ui, const RunFigures& figures, bool is_running) {
+  const std::vector<int>& history = figures.history;
+  const std::int64_t stride = figures.history_stride;
   const Look& look = ui.look;
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x - look.px(16), look.px(128));
@@ -109,6 +119,7 @@ void overlap_chart(const UiState& ui, const std::vector<int>& history, std::int6
   frame.max = ImVec2(max.x - look.px(12), max.y - look.px(26));
   draw_axes(ui, frame);
   draw_curve(ui, frame, history, stride);
+  if (figures.at_move >= 0) draw_mark(ui, frame, figures);
 }
 
 }  // namespace netwright

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "assets/icons.h"
 #include "core/base/paper.h"
 #include "ui/panels.h"
 #include "ui/status.h"
@@ -12,33 +11,21 @@
 namespace netwright {
 namespace {
 
-std::string size_text(const PaperFormat& format) {
-  return std::to_string(std::lround(format.width_mm)) + " × " +
-         std::to_string(std::lround(format.height_mm)) + " mm";
-}
-
-/// Over the right end of the last item, lighter than ImGui's own triangle.
-void draw_chevron(const UiState& ui) {
-  const ImVec2 max = ImGui::GetItemRectMax();
-  const float y = (ImGui::GetItemRectMin().y + max.y - ImGui::GetTextLineHeight()) / 2;
-  ImGui::GetWindowDrawList()->AddText(ImVec2(max.x - ui.look.px(28), y), ui.look.colours.muted,
-                                      icon::kChevronDown);
-}
-
 void format_row(UiContext& c) {
-  const UiState& ui = c.ui;
+  UiState& ui = c.ui;
   ImGui::SetNextItemWidth(row(ui, "Format") - ui.look.px(16));
   PaperSetup paper = c.session.project().paper;
-  const bool is_open = ImGui::BeginCombo("##format", paper.format.c_str(), ImGuiComboFlags_NoArrowButton);
-  note_widget(ui, "paper/format");
-  if (!is_open) draw_chevron(ui);
-  if (!is_open) return;
+  if (!begin_combo(ui, "paper/format", paper.format)) return;
   for (const PaperFormat& format : paper_formats()) {
     const std::string name(format.name);
-    if (ImGui::Selectable((name + "   " + size_text(format)).c_str(), name == paper.format) &&
+    if (ImGui::Selectable(
+            (name + "   " + area_text(format.width_mm, format.height_mm, c.ui.settings.unit)).c_str(),
+            name == paper.format) &&
         name != paper.format) {
       paper.format = name;
       c.session.set_paper(paper);
+      c.ui.settings.paper = name;  // what is in the printer stays there for the next model
+      c.session.set_desk_paper(name);
     }
     note_widget(ui, "paper/format/" + name);
   }
@@ -58,7 +45,7 @@ void orientation_row(UiContext& c) {
 void margin_row(UiContext& c) {
   PaperSetup paper = c.session.project().paper;
   ImGui::SetNextItemWidth(row(c.ui, "Margin") - c.ui.look.px(16));
-  const bool is_entered = number_field(c.ui, "paper/margin", paper.margin_mm, "%.0f mm");
+  const bool is_entered = length_field(c.ui, "paper/margin", paper.margin_mm);
   tooltip(c.ui, "What the printer cannot reach; nothing is drawn there");
   if (!is_entered) return;
   paper.margin_mm = std::clamp(paper.margin_mm, 0.0, 50.0);
@@ -75,7 +62,7 @@ void size_row(UiContext& c) {
   }
   if (size.kind != PrintSize::Kind::Height) return;
   ImGui::SetNextItemWidth(row(c.ui, "Model height") - c.ui.look.px(16));
-  const bool is_entered = number_field(c.ui, "paper/height", size.height_mm, "%.0f mm");
+  const bool is_entered = length_field(c.ui, "paper/height", size.height_mm);
   tooltip(c.ui,
           "How tall the finished model stands; a net larger than the paper is spread over several pages");
   if (!is_entered) return;

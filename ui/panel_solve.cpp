@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "assets/icons.h"
 #include "ui/actions.h"
@@ -14,6 +15,7 @@ namespace netwright {
 namespace {
 
 constexpr int kMaxStreams = 16;
+constexpr double kLongestLimit = 86400;  ///< seconds: a day
 
 void seed_row(UiContext& c) {
   UiState& ui = c.ui;
@@ -58,6 +60,7 @@ void streams_row(UiContext& c) {
   if (is_more) ++streams;
   if (!is_typed && !is_less && !is_more) return;
   c.session.set_streams(static_cast<int>(std::clamp<std::uint64_t>(streams, 1, kMaxStreams)));
+  ui.settings.streams = c.session.streams();
 }
 
 void time_limit_row(UiContext& c) {
@@ -65,7 +68,10 @@ void time_limit_row(UiContext& c) {
   ImGui::SetNextItemWidth(row(ui, "Time limit") - ui.look.px(16));
   double seconds = c.session.time_limit();
   const char* format = seconds > 0 ? "%.0f s" : "none";
-  if (number_field(ui, "solve/limit", seconds, format)) c.session.set_time_limit(std::max(seconds, 0.0));
+  if (number_field(ui, "solve/limit", seconds, format)) {
+    c.session.set_time_limit(std::clamp(seconds, 0.0, kLongestLimit));
+    ui.settings.time_limit_s = static_cast<int>(std::ceil(c.session.time_limit()));
+  }
   tooltip(ui, "When it is over, the search ends with the best net so far. 0 means no limit");
 }
 
@@ -98,7 +104,7 @@ void panel_solve(UiContext& context) {
   text_muted(ui, summary);
   ImGui::PopFont();
   const RunState state = context.session.state();
-  overlap_chart(ui, figures.history, figures.history_stride,
+  overlap_chart(ui, figures,
                 state == RunState::Running || state == RunState::Replaying || state == RunState::Paused);
 }
 

@@ -19,10 +19,13 @@ void panel_faces(UiContext& context);
 void panel_solve(UiContext& context);
 /// Part of the search's section; nothing where nothing is pinned.
 void panel_pins(UiContext& context);
+void panel_runs(UiContext& context);
 void panel_paper(UiContext& context);
 void panel_overlaps(UiContext& context);
+void panel_history(UiContext& context);
 
-/// Overlaps over moves: a step line with axes; `stride` moves lie between two values.
-void overlap_chart(const UiState& ui, const std::vector<int>& history, std::int64_t stride, bool is_running);
+/// Overlaps over moves: a step line with axes, and a mark where the figures have one. Their history must not
+/// be empty.
+void overlap_chart(const UiState& ui, const RunFigures& figures, bool is_running);
 
 }  // namespace netwright

@@ -36,6 +36,14 @@ Work search_work(const UiContext& c) {
   return work;
 }
 
+void watch_phase(UiContext& c) {
+  const auto chore = c.session.chore();
+  const std::string phase = chore == nullptr ? "" : chore->phase();
+  if (phase == c.ui.chore_phase) return;
+  c.ui.chore_phase = phase;
+  c.ui.chore_phase_since = c.ui.now;
+}
+
 bool is_searching(const UiContext& c) {
   const RunState state = c.session.state();
   return state == RunState::Running || state == RunState::Paused;
@@ -52,13 +60,16 @@ bool has_progress(const UiContext& context) {
 }
 
 void draw_progress(UiContext& context) {
+  watch_phase(context);
   const UiState& ui = context.ui;
   const Look& look = ui.look;
   Work work;
   if (is_searching(context)) {
     work = search_work(context);
   } else if (const auto chore = context.session.chore(); chore != nullptr) {
-    const std::string percent = std::to_string(std::lround(chore->fraction() * 100)) + " %";
+    std::string percent = std::to_string(std::lround(chore->fraction() * 100)) + " %";
+    const double seconds = seconds_left(chore->fraction(), context.ui.now - context.ui.chore_phase_since);
+    if (seconds > 0) percent += " · about " + duration_text(std::ceil(seconds)) + " left";
     const bool can_stop = context.session.state() == RunState::Opening || context.session.is_making();
     work = {chore->phase(), "", percent, chore->fraction(), can_stop};
   }

@@ -35,6 +35,16 @@ bool has_overlaps(const UiContext& c) {
   return shown != nullptr && !shown->overlaps.empty();
 }
 
+std::string runs_summary(const UiContext& c) {
+  const auto runs = c.session.runs();
+  return runs.empty() ? "none yet" : counted(static_cast<std::int64_t>(runs.size()), "run", "runs");
+}
+
+std::string history_summary(const UiContext& c) {
+  const auto n = static_cast<std::int64_t>(c.session.history().size()) - 1;
+  return n == 0 ? "no changes" : counted(n, "step", "steps");
+}
+
 struct SectionLine {
   Section section;
   const char* title;
@@ -42,10 +52,12 @@ struct SectionLine {
   void (*body)(UiContext&);
 };
 
-constexpr std::array<SectionLine, 4> kSectionLines{
+constexpr std::array<SectionLine, kSections> kSectionLines{
     SectionLine{Section::Model, "Model", model_summary, panel_model},
     SectionLine{Section::Solve, "Solve", solve_summary, panel_solve},
+    SectionLine{Section::Runs, "Runs", runs_summary, panel_runs},
     SectionLine{Section::Paper, "Paper", paper_summary, panel_paper},
+    SectionLine{Section::History, "History", history_summary, panel_history},
     SectionLine{Section::Overlaps, "Overlaps", overlaps_summary, panel_overlaps}};
 
 void line_below(const UiState& ui) {

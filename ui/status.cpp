@@ -74,6 +74,13 @@ Status idle_status(const Session& session) {
       status.in_short = "not proved";
     }
   }
+  if (session.viewed_run() != 0) {
+    const bool is_found = !session.timeline() || session.timeline()->position == session.timeline()->home;
+    if (!is_found)
+      status.in_short = overlaps_text(figures.overlaps) + " at " + counted(figures.moves, "move", "moves");
+    if (!is_found) status.tone = Tone::Quiet;
+    status.in_short = "run " + std::to_string(session.viewed_run()) + ": " + status.in_short;
+  }
   status.text = status.in_short;
   add(status.text, counted(figures.faces, "face", "faces"));
   add_run(status.text, figures, false);
@@ -107,6 +114,13 @@ std::string duration_text(double seconds) {
   if (seconds < 120) return number_text("%.0f s", seconds);
   const auto whole = static_cast<int>(seconds);
   return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+}
+
+double seconds_left(double fraction, double elapsed) {
+  constexpr double kLeastShare = 0.05;
+  constexpr double kLeastSeconds = 0.5;
+  if (fraction < kLeastShare || fraction >= 1 || elapsed < kLeastSeconds) return 0;
+  return elapsed * (1 - fraction) / fraction;
 }
 
 std::string faces_text(std::int64_t faces, std::int64_t all) {

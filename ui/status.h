@@ -27,6 +27,9 @@ std::string faces_text(std::int64_t faces, std::int64_t all);
 /// The simplify slider: 0 is the fewest faces, 1 all of them, logarithmic between.
 int faces_of_slider(double t, int fewest, int all);
 double slider_of_faces(int faces, int fewest, int all);
+/// How long the rest of some work will take, from the share that is done after so many seconds; 0 as long as
+/// too little is done to tell.
+double seconds_left(double fraction, double elapsed);
 /// "12 moves a second", "full speed".
 std::string speed_text(double moves_per_second);
 

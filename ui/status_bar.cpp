@@ -25,6 +25,10 @@ std::string standing_hint(const UiContext& context) {
     case RunState::Idle:
       break;
   }
+  if (context.session.timeline())
+    return "Enter uses this net · ← → go move by move · V plays · Esc goes back";
+  if (context.session.viewed_run() != 0)
+    return "Enter uses this net · Page Up and Page Down look at others · Esc goes back";
   const auto shown = context.session.shown();
   if (shown == nullptr) return "Space unfolds · S goes move by move · ? lists all keys";
   return shown->is_proved ? "Ctrl+P exports the pages · N searches another net · ? lists all keys"

@@ -20,7 +20,10 @@
 
 namespace netwright {
 
-enum class Dialog { None, Open, Export, Keys, About, Repair, Save, Unsaved, Recover };
+class KeyFocus;
+class RunPictures;
+
+enum class Dialog { None, Open, Export, Keys, About, Repair, Save, Unsaved, Recover, Preferences };
 
 /// How far the net is folded up in the model's view.
 struct Folding {
@@ -80,8 +83,12 @@ struct UiState {
   bool is_desktop_dark = false;
   bool is_motion_reduced = false;  ///< the desktop asks for it: nothing flies
 
+  std::function<void()> wake;  ///< ends the loop's sleep; other threads may call it
+
   double now = 0;                 ///< seconds, set by the application before each frame
   double chore_since = 0;         ///< when the chore in hand began
+  std::string chore_phase;        ///< what it is doing,
+  double chore_phase_since = 0;   ///< and since when
   bool has_room_for_side = true;  ///< a narrow window belongs to the views
   FaceId hovered;                 ///< under the pointer, in whichever view
   HalfedgeId hovered_side;        ///< the edge near the pointer, from the face whose side it was pointed at
@@ -103,6 +110,7 @@ struct UiState {
 
   Dialog dialog = Dialog::None;
   std::string export_extension = "pdf";  ///< preset of the export dialog
+  int export_run = 0;                    ///< whose net it writes; 0 = the project's
 
   /// What waits until the question about unsaved changes is answered; empty when nothing does.
   std::function<void(UiContext&)> leaving;
@@ -114,6 +122,10 @@ struct UiState {
   double toasts_held_at = -1;  ///< the last frame a dialog held the toasts back; negative while none does
 
   double asked_height_mm = 0;  ///< what stands in the field of the question about the size; 0 = the usual
+  RunPictures* run_pictures = nullptr;  ///< the workspace's
+  KeyFocus* focus = nullptr;            ///< the workspace's
+  bool wants_run_in_view = false;       ///< scroll the list of runs to the one that is looked at
+  std::size_t history_seen = 0;         ///< the step that the history was last scrolled to
 
   std::uint64_t draft = 0;  ///< bits of the number being typed, until the field is left
 
@@ -128,6 +140,7 @@ struct UiState {
   float faces_slider_width = 0;    ///< of the simplify slider
   bool is_dragging_faces = false;  ///< the simplify slider is held: nothing around it may jump
   bool wants_lit_in_view = false;  ///< fly to what is lit
+  bool wants_menus = false;        ///< open the first one
   bool wants_quit = false;
   bool wants_new_fonts = false;  ///< scale changed
   int frames_wanted = 0;         ///< more frames to draw although nothing happens

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "assets/icons.h"
+#include "ui/key_focus.h"
 
 namespace netwright {
 namespace {
@@ -53,6 +54,30 @@ void draw_button(const UiState& ui, const ButtonSpec& spec, ImVec2 min, ImVec2 m
   if (!spec.label.empty()) draw.AddText(ImVec2(x + icon_width + gap, y), paint.text, spec.label.c_str());
 }
 
+bool is_in_dialog() {
+  const ImGuiWindow* window = ImGui::GetCurrentWindow();
+  return (window->RootWindow->Flags & ImGuiWindowFlags_Modal) != 0;
+}
+
+bool is_next_item_enabled() {
+  return (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) == 0;
+}
+
+bool is_last_item_enabled() { return (ImGui::GetItemFlags() & ImGuiItemFlags_Disabled) == 0; }
+
+/// Offers the focus to the last item and draws the ring around it. True when it has it.
+bool focus_last_item(const UiState& ui, const std::string& name, KeyFocus::Kind kind) {
+  if (ui.focus == nullptr || !ui.focus->offer(name, kind, is_last_item_enabled(), is_in_dialog()))
+    return false;
+  if (ui.focus->has_arrived(name)) ImGui::SetScrollHereY();
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const ImVec2 max = ImGui::GetItemRectMax();
+  const float in = ui.look.px(1);
+  ImGui::GetWindowDrawList()->AddRect(ImVec2(min.x + in, min.y + in), ImVec2(max.x - in, max.y - in),
+                                      ui.look.colours.text, ui.look.px(4), 0, ui.look.px(2));
+  return true;
+}
+
 /// ImGui applies what is typed at every key and forgets it when another item takes the focus; the draft keeps
 /// it until the field is left.
 template <class Number>
@@ -60,6 +85,12 @@ bool scalar_field(UiState& ui, const std::string& name, ImGuiDataType type, Numb
                   const char* format) {
   static_assert(sizeof(Number) == sizeof(ui.draft));
   Number typed = value;
+  const bool is_focused = ui.focus != nullptr &&
+                          ui.focus->offer(name, KeyFocus::Kind::Type, is_next_item_enabled(), is_in_dialog());
+  if (is_focused && ui.focus->has_arrived(name)) {
+    ImGui::SetScrollHereY();
+    ImGui::SetKeyboardFocusHere();
+  }
   ImGui::InputScalar(("##" + name).c_str(), type, &typed, nullptr, nullptr, format);
   note_widget(ui, name);
   if (ImGui::IsItemActive()) ui.draft = std::bit_cast<std::uint64_t>(typed);
@@ -88,6 +119,10 @@ void note_widget(const UiState& ui, const std::string& name) {
   ui.widgets->note(name, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), is_enabled});
 }
 
+bool pressed_by_key(const UiState& ui, const std::string& name) {
+  return focus_last_item(ui, name, KeyFocus::Kind::Press) && ui.focus->take_press(name);
+}
+
 void tooltip(const UiState& ui, const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   const ImVec2 padding(ui.look.px(10), ui.look.px(6));
@@ -113,9 +148,10 @@ float button_width(const UiState& ui, const ButtonSpec& spec) {
 bool button(const UiState& ui, const ButtonSpec& spec) {
   const ImVec2 size(button_width(ui, spec), spec.height > 0 ? spec.height : ui.look.px(32));
   if (!spec.is_enabled) ImGui::BeginDisabled();
-  const bool is_pressed = ImGui::InvisibleButton(spec.name.c_str(), size);
+  bool is_pressed = ImGui::InvisibleButton(spec.name.c_str(), size);
   draw_button(ui, spec, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   note_widget(ui, spec.name);
+  is_pressed = pressed_by_key(ui, spec.name) || is_pressed;
   if (!spec.is_enabled) ImGui::EndDisabled();
   tooltip(ui, spec.tip);
   return is_pressed && spec.is_enabled;
@@ -125,8 +161,9 @@ bool section_header(const UiState& ui, const std::string& title, const std::stri
   const Look& look = ui.look;
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px(36));
-  const bool is_clicked = ImGui::InvisibleButton(("section/" + title).c_str(), size);
+  bool is_clicked = ImGui::InvisibleButton(("section/" + title).c_str(), size);
   note_widget(ui, "section/" + title);
+  is_clicked = pressed_by_key(ui, "section/" + title) || is_clicked;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 max(min.x + size.x, min.y + size.y);
   if (ImGui::IsItemHovered()) draw.AddRectFilled(min, max, look.colours.hover);
@@ -170,6 +207,12 @@ bool slim_slider(const UiState& ui, const std::string& name, float width, float&
     is_changed = wanted != t;
     t = wanted;
   }
+  if (focus_last_item(ui, name, KeyFocus::Kind::Slide)) {
+    constexpr float kStep = 0.05F;
+    const float wanted = std::clamp(t + kStep * static_cast<float>(ui.focus->take_steps(name)), 0.0F, 1.0F);
+    is_changed = is_changed || wanted != t;
+    t = wanted;
+  }
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float y = std::floor(min.y + look.px(16));
   const float x = left + t * length;
@@ -193,8 +236,9 @@ bool checkbox(const UiState& ui, const std::string& name, const std::string& lab
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const float text_left = side + look.px(8);
   const ImVec2 size(text_left + ImGui::CalcTextSize(label.c_str()).x, look.px(28));
-  const bool is_clicked = ImGui::InvisibleButton(name.c_str(), size);
+  bool is_clicked = ImGui::InvisibleButton(name.c_str(), size);
   note_widget(ui, name);
+  is_clicked = pressed_by_key(ui, name) || is_clicked;
   tooltip(ui, tip);
   if (is_clicked) is_on = !is_on;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -255,6 +299,28 @@ bool number_field(UiState& ui, const std::string& name, double& value, const cha
 
 bool number_field(UiState& ui, const std::string& name, std::uint64_t& value) {
   return scalar_field(ui, name, ImGuiDataType_U64, value, nullptr);
+}
+
+bool length_field(UiState& ui, const std::string& name, double& millimetres) {
+  const double unit = in_millimetres(ui.settings.unit);
+  double shown = millimetres / unit;
+  if (!number_field(ui, name, shown, field_format(ui.settings.unit))) return false;
+  millimetres = shown * unit;
+  return true;
+}
+
+bool begin_combo(const UiState& ui, const std::string& name, const std::string& shown) {
+  const bool is_open = ImGui::BeginCombo(("##" + name).c_str(), shown.c_str(),
+                                         ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
+  note_widget(ui, name);
+  if (is_open) return true;
+  if (pressed_by_key(ui, name)) ImGui::OpenPopupEx(ImHashStr("##ComboPopup", 0, ImGui::GetItemID()));
+  // Over the right end, lighter than ImGui's own triangle.
+  const ImVec2 max = ImGui::GetItemRectMax();
+  const float y = (ImGui::GetItemRectMin().y + max.y - ImGui::GetTextLineHeight()) / 2;
+  ImGui::GetWindowDrawList()->AddText(ImVec2(max.x - ui.look.px(28), y), ui.look.colours.muted,
+                                      icon::kChevronDown);
+  return false;
 }
 
 void text_muted(const UiState& ui, const std::string& text) {

@@ -13,6 +13,9 @@ namespace netwright {
 /// Notes the last item under a name; does nothing when nobody asked.
 void note_widget(const UiState& ui, const std::string& name);
 
+/// The last item may be pressed by keyboard, too: shows the ring and tells whether it was.
+bool pressed_by_key(const UiState& ui, const std::string& name);
+
 /// A tooltip for the last item, also when it is disabled.
 void tooltip(const UiState& ui, const std::string& text);
 
@@ -59,6 +62,12 @@ bool segments(const UiState& ui, const std::string& name, float width, const std
 /// a click elsewhere, not at every key.
 bool number_field(UiState& ui, const std::string& name, double& value, const char* format);
 bool number_field(UiState& ui, const std::string& name, std::uint64_t& value);
+/// The same for a length: shown and typed in the user's unit, kept in millimetres.
+bool length_field(UiState& ui, const std::string& name, double& millimetres);
+
+/// ImGui's BeginCombo in the looks of the rest, named for tests and reachable by keyboard; when true, fill it
+/// and call ImGui::EndCombo.
+bool begin_combo(const UiState& ui, const std::string& name, const std::string& shown);
 
 void text_muted(const UiState& ui, const std::string& text);
 void text_small(const UiState& ui, const std::string& text);

@@ -1,9 +1,12 @@
 // The fixed layout: menu bar, toolbar, slim progress bar, side panel, two views with a splitter, status bar.
 #include "ui/workspace.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "ui/first_hints.h"
 #include "ui/frame_parts.h"
 #include "ui/messages.h"
 #include "ui/panels.h"
@@ -19,8 +22,13 @@ constexpr float kStatusHeight = 30;
 constexpr float kSideWidth = 280;
 constexpr float kLeastViews = 400;  ///< both views together; with less the side panel makes room
 constexpr float kSplitterWidth = 5;
+constexpr int kShiftBit = 1;
+constexpr int kSpaceKey = 32;
 constexpr int kEscapeKey = 256;
 constexpr int kEnterKey = 257;
+constexpr int kTabKey = 258;
+constexpr int kRightKey = 262;
+constexpr int kLeftKey = 263;
 constexpr int kF1Key = 290;
 
 constexpr auto kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -52,7 +60,8 @@ void line_at_bottom(const UiState& ui, ImVec2 min, ImVec2 size) {
 
 }  // namespace
 
-Workspace::Workspace() = default;
+// Tab is ours: ImGui's would go from text field to text field and pass by all else.
+Workspace::Workspace() { ImGui::GetIO().KeyMap[ImGuiKey_Tab] = -1; }
 Workspace::~Workspace() = default;
 
 bool Workspace::update_look(UiState& ui, double content_scale) {
@@ -108,6 +117,11 @@ void Workspace::draw_views(UiContext& context, ImVec2 min, ImVec2 size) {
     min.y += bar;
     size.y -= bar;
   }
+  if (const float strip = first_hint_height(context, size.x); strip > 0) {
+    area("##hint", min, ImVec2(size.x, strip), ImVec2(0, 0), false, [&] { draw_first_hint(context); });
+    min.y += strip;
+    size.y -= strip;
+  }
   if (!context.session.has_model()) {
     area("##empty", min, size, ImVec2(0, 0), true, [&] { empty_state_.draw(context, renderers_); });
     return;
@@ -130,6 +144,16 @@ void Workspace::draw(Session& session, UiState& ui) {
   ui.centre_now = std::exchange(ui.wants_centre, FaceId());
   ui.flight_now = std::exchange(ui.wants_flight, {});
   scene_.update(context, renderers_);
+  run_pictures_.tidy();
+  ui.run_pictures = &run_pictures_;
+  ui.focus = &focus_;
+  focus_.begin_frame(dialogs_.is_open());
+  if (ImGui::IsAnyMouseDown()) focus_.hide();
+  if (std::exchange(has_left_field_, false)) ImGui::ClearActiveID();  // what was being typed is taken over
+  // Menus and lists that drop down are gone through with the arrows.
+  const bool is_dropped_down =
+      ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  ImGui::GetIO().ConfigFlags = is_dropped_down ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
   ui.hint.clear();
   ui.hovered = FaceId();
   ui.hovered_side = HalfedgeId();
@@ -176,9 +200,26 @@ void Workspace::draw(Session& session, UiState& ui) {
     ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
 
+bool Workspace::focus_key(UiState& ui, int key_number, int modifiers) {
+  ui.frames_wanted = std::max(ui.frames_wanted, 3);
+  const bool is_shifted = modifiers == kShiftBit;
+  if (key_number == kTabKey && (modifiers == 0 || is_shifted)) {
+    has_left_field_ = true;
+    focus_.go(is_shifted ? -1 : 1);
+    return true;
+  }
+  if (!focus_.is_shown() || modifiers != 0 || ImGui::GetIO().WantTextInput) return false;
+  if (key_number == kSpaceKey || key_number == kEnterKey) return focus_.press();
+  if (key_number == kLeftKey || key_number == kRightKey)
+    return focus_.slide(key_number == kRightKey ? 1 : -1);
+  if (key_number != kEscapeKey || dialogs_.is_open()) return false;
+  focus_.hide();
+  return true;
+}
+
 void Workspace::key(Session& session, UiState& ui, int key_number, int modifiers) {
   UiContext context{session, ui};
-  if (ImGui::GetIO().WantTextInput) return;
+  if (focus_key(ui, key_number, modifiers) || ImGui::GetIO().WantTextInput) return;
   if (dialogs_.is_open()) {
     if (key_number == kEscapeKey) dialogs_.cancel();
     if (key_number == kEnterKey) dialogs_.accept();

@@ -6,8 +6,10 @@
 
 #include "ui/dialogs.h"
 #include "ui/empty_state.h"
+#include "ui/key_focus.h"
 #include "ui/model_view.h"
 #include "ui/net_view.h"
+#include "ui/run_pictures.h"
 
 namespace netwright {
 
@@ -31,6 +33,8 @@ class Workspace {
   [[nodiscard]] const OverlayRenderer& overlay() const { return renderers_.overlay; }
 
  private:
+  /// Keys that move and use the keyboard's focus; true when this was one.
+  bool focus_key(UiState& ui, int key_number, int modifiers);
   void draw_views(UiContext& context, ImVec2 min, ImVec2 size);
   void draw_splitter(UiContext& context, ImVec2 min, ImVec2 size);
 
@@ -39,6 +43,9 @@ class Workspace {
   ModelView model_view_;
   NetView net_view_;
   EmptyState empty_state_;
+  RunPictures run_pictures_;
+  KeyFocus focus_;
+  bool has_left_field_ = false;  ///< by Tab
   Dialogs dialogs_;
 };
 

@@ -102,8 +102,12 @@ void drain(Handle& pipe, std::string& output) {
   if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) pipe.close();
 }
 
-/// Milliseconds until the deadline, as poll wants them; -1 = for ever.
-int wait_ms(Clock::time_point deadline) {
+/// How often a cancellation is looked for.
+constexpr int kCancelMs = 50;
+
+/// Milliseconds until something has to be looked at, as poll wants them; -1 = for ever.
+int wait_ms(Clock::time_point deadline, const Progress* progress) {
+  if (progress != nullptr) return kCancelMs;
   if (deadline == Clock::time_point::max()) return -1;
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
   return static_cast<int>(std::clamp<decltype(left)>(left, 0, 60000));
@@ -119,7 +123,8 @@ ChildResult::End converse(Handle& socket, Handle& pipe, std::string_view input, 
   }
   while (pipe.is_open()) {
     std::array<pollfd, 2> waits{{{pipe.get(), POLLIN, 0}, {socket.get(), POLLOUT, 0}}};
-    const int n = ::poll(waits.data(), socket.is_open() ? 2 : 1, wait_ms(deadline));
+    const int n = ::poll(waits.data(), socket.is_open() ? 2 : 1, wait_ms(deadline, limits.progress));
+    if (limits.progress != nullptr && limits.progress->is_cancelled()) return ChildResult::End::Cancelled;
     if (Clock::now() >= deadline) return ChildResult::End::TimedOut;
     if (n <= 0) continue;
     if (waits[1].revents != 0 && socket.is_open()) feed(socket, input);

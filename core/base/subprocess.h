@@ -8,12 +8,15 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.h"
+
 namespace netwright {
 
 struct ChildLimits {
   double seconds = 0;            ///< wall clock and CPU time; 0 = none
   std::size_t memory_bytes = 0;  ///< address space; 0 = none (also under sanitizers, which map terabytes)
   std::size_t output_bytes = 0;  ///< what it may write at most; 0 = none
+  const Progress* progress = nullptr;  ///< when it is cancelled, the child is ended; may be null
 };
 
 struct ChildResult {
@@ -21,7 +24,8 @@ struct ChildResult {
     Exited,   ///< by itself; see exit_code
     Crashed,  ///< killed by a signal that we did not send
     TimedOut,
-    Flooded,  ///< wrote more than it may
+    Flooded,    ///< wrote more than it may
+    Cancelled,  ///< by the limits' progress
   };
   End end = End::Exited;
   int exit_code = 0;

@@ -60,6 +60,8 @@ PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const
     case ChildResult::End::Crashed:
       refuse(name,
              "the file is damaged in a way that stops the program reading it; export it again, best as OBJ.");
+    case ChildResult::End::Cancelled:
+      refuse(name, "reading it was given up.");
     case ChildResult::End::Exited:
       break;
   }

@@ -10,4 +10,9 @@ void History::push(std::string label, Project next) {
   ++present_;
 }
 
+bool History::holds(const std::shared_ptr<const DualGraph>& dual) const {
+  return std::any_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& entry) { return entry.project.dual == dual; });
+}
+
 }  // namespace netwright

@@ -1,6 +1,7 @@
 // Undo and redo as a list of labelled Projects. Cheap, because Projects share their big parts.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -26,6 +27,13 @@ class History {
   /// The edit's name; empty when there is none.
   [[nodiscard]] std::string undo_label() const { return entries_[present_].label; }
   [[nodiscard]] std::string redo_label() const { return can_redo() ? entries_[present_ + 1].label : ""; }
+  /// All states there are, the first without a label, and which of them is the present one.
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] std::size_t position() const { return present_; }
+  [[nodiscard]] const std::string& label(std::size_t position) const { return entries_[position].label; }
+  /// Does any state have this mesh?
+  [[nodiscard]] bool holds(const std::shared_ptr<const DualGraph>& dual) const;
+  void go_to(std::size_t position) { present_ = std::min(position, entries_.size() - 1); }
   /// Both do nothing when there is nothing to do.
   void undo() { present_ -= can_undo() ? 1 : 0; }
   void redo() { present_ += can_redo() ? 1 : 0; }

@@ -1,58 +1,39 @@
-// Plays the recorded moves of a run that was over too fast to be seen: start trees and exchanges of hinges,
-// one step after the other, as fast as its watcher asks.
+// Plays the recorded moves of a run, forwards and backwards: start trees and exchanges of hinges. Reaching a
+// moment costs two bits a move, so leaps over a million moves take milliseconds; most of a picture's time
+// goes into laying out its net.
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <vector>
 
-#include "core/solve/solve.h"
+#include "core/project/run_log.h"
 
 namespace netwright {
 
 class Replay {
  public:
-  /// The result's log must hold an episode; it leads to the folds of the result's tree, whose roots the
-  /// pictures are laid out from. Everything is played when it is short enough to be followed, else the last
-  /// episode alone.
-  explicit Replay(const SolveResult& result);
+  explicit Replay(std::shared_ptr<const RunLog> log);
 
-  /// Pictures there are: each episode's start and every move after it.
-  [[nodiscard]] int n_steps() const { return n_steps_; }
+  [[nodiscard]] const RunLog& log() const { return *log_; }
   [[nodiscard]] int position() const { return position_; }
-  /// How long it should take to be pleasant, at most kLongest seconds.
+
+  /// Goes to the picture of this position, forwards or back; past the ends it stops there.
+  void seek(int position);
+
+  /// The net of the moment reached, laid out from the result's roots, so that it holds still.
+  [[nodiscard]] Net net() const;
+
+  /// How long it should take to be pleasant when it plays by itself, at most kLongest seconds.
   [[nodiscard]] double seconds() const;
   static constexpr double kLongest = 2;
 
-  /// Plays up to this picture, 0 … n_steps() - 1; never back.
-  void advance_to(int position);
-
-  // All of the moment reached.
-  [[nodiscard]] Net net() const;
-  [[nodiscard]] int overlaps() const;
-  [[nodiscard]] int overlaps_at_start() const { return log_.front().overlaps_at_start; }
-  [[nodiscard]] int best_overlaps() const { return best_; }
-  [[nodiscard]] std::int64_t moves() const { return moves_; }
-  [[nodiscard]] int restarts() const;
-  [[nodiscard]] std::optional<MoveRecord> last_move() const;
-  [[nodiscard]] const std::vector<int>& history() const { return history_; }
-
  private:
-  void begin_episode();
-  void play_move();
+  void begin_episode(int number);
+  void exchange(const HalfedgeId& from, const HalfedgeId& to);
 
-  std::shared_ptr<const DualGraph> dual_;
-  std::vector<Episode> log_;
-  std::vector<FaceId> roots_;
+  std::shared_ptr<const RunLog> log_;
   IdVector<EdgeId, char> is_fold_;
-  std::vector<int> history_;
-  std::size_t episode_ = 0;
-  std::size_t next_move_ = 0;
-  int last_restart_;    ///< the number of the last episode
-  std::int64_t moves_;  ///< made up to now, since the run began
-  int n_steps_ = 0;
+  int episode_ = 0;
   int position_ = 0;
-  int best_ = 0;
 };
 
 }  // namespace netwright

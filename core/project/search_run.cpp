@@ -18,6 +18,10 @@ constexpr double kFollowable = 5;
 constexpr double kRateSeconds = 0.25;
 constexpr double kRateBlend = 0.4;
 
+/// Pixels: sharp in the list at twice the usual scale.
+constexpr int kPictureWidth = 156;
+constexpr int kPictureHeight = 128;
+
 /// Stands for no stream of its own: the moves of all of them count.
 constexpr int kAllStreams = -1;
 
@@ -52,6 +56,11 @@ void SearchRun::work(Channel& channel, std::shared_ptr<const DualGraph> dual, co
     hooks.snapshots = &channel.snapshots;
     hooks.pace = [&channel] { return channel.gate.wait(); };
     outcome->result = solve(std::move(dual), options, progress, hooks);
+    if (!outcome->result->net.placement.empty()) {
+      outcome->measures = measure(outcome->result->net);
+      outcome->picture = net_picture(outcome->result->net, kPictureWidth, kPictureHeight);
+    }
+    if (!outcome->result->log.empty()) outcome->log = std::make_shared<const RunLog>(*outcome->result);
   } catch (...) {
     outcome->fault = sentence_for_current_exception("The search");
   }

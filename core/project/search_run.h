@@ -10,8 +10,10 @@
 #include "core/base/mailbox.h"
 #include "core/base/worker.h"
 #include "core/project/bell.h"
+#include "core/project/net_measures.h"
 #include "core/project/pace_gate.h"
 #include "core/project/run_figures.h"
+#include "core/project/run_log.h"
 #include "core/project/shown_net.h"
 #include "core/solve/solve.h"
 
@@ -20,7 +22,10 @@ namespace netwright {
 class SearchRun {
  public:
   struct Outcome {
-    std::optional<SolveResult> result;
+    std::optional<SolveResult> result;  ///< its log has moved to `log`
+    std::shared_ptr<const RunLog> log;  ///< null when the search ended before it had a start tree
+    NetMeasures measures;
+    Image picture;
     std::string fault;  ///< a sentence when there is no result
   };
   enum class Start { Running, Paused };

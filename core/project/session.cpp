@@ -58,10 +58,12 @@ void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const Unfo
   SolveOptions options;
   options.seed = project().seed;
   options.streams = streams;
+  options.threads = threads;
   options.pins = stays_near ? with_edits(project()) : project().pins;
   options.from = std::move(from);
   options.stays_near = stays_near;
   is_timed_out = false;
+  leave_view();
   run.reset();  // its job is told to end before the new one is queued
   run = std::make_unique<SearchRun>(worker, project().dual, options, bell, start, speed, clock());
 }
@@ -72,21 +74,23 @@ void Session::Impl::discard_run() {
 }
 
 void Session::Impl::edit(std::string label, Project next) {
+  if (next.tree != project().tree || next.dual != project().dual) leave_view();
   history.push(std::move(label), std::move(next));
   derive_again();
 }
 
-void Session::Impl::move_in_history(void (History::*move)()) {
+void Session::Impl::come_to_rest() {
   end_replay();
+  leave_view();
   discard_run();
   has_net_in_step = false;
-  if (is_unfinished && project().tree && move == &History::undo) {
-    drop_result();
-    return;
-  }
+}
+
+void Session::Impl::move_in_history(std::size_t position) {
+  come_to_rest();
   const std::shared_ptr<const UnfoldTree> tree = project().tree;
   const std::shared_ptr<const DualGraph> dual = project().dual;
-  (history.*move)();
+  history.go_to(position);
   if (project().dual != dual) derived = nullptr;
   if (project().tree != tree || project().dual != dual) drop_result();
   derive_again();
@@ -116,7 +120,7 @@ void Session::set_wake(std::function<void()> wake) { impl_->bell->set_listener(s
 double Session::wait_seconds() const {
   constexpr double kFrame = 1.0 / 60;
   constexpr double kTenth = 0.1;
-  if (impl_->playing) return kFrame;
+  if (impl_->playing || (impl_->viewing && impl_->viewing->is_playing)) return kFrame;
   if (impl_->run && !impl_->run->is_paused()) return kTenth;
   return impl_->keeper.wait_seconds(impl_->clock());
 }
@@ -131,11 +135,13 @@ RunState Session::state() const {
 const Project& Session::project() const { return impl_->project(); }
 
 std::shared_ptr<const ShownNet> Session::shown() const {
-  return impl_->moving ? impl_->moving : impl_->settled;
+  if (impl_->moving) return impl_->moving;
+  return impl_->viewing && impl_->viewing->picture ? impl_->viewing->picture : impl_->settled;
 }
 
 RunFigures Session::figures() const {
   if (impl_->run) return impl_->run->figures();
+  if (impl_->viewing) return impl_->view_figures();
   return impl_->playing ? impl_->replay_figures() : impl_->settled_figures();
 }
 
@@ -200,6 +206,7 @@ void Session::set_speed(double moves_per_second) {
 }
 
 double Session::speed() const { return impl_->speed; }
+void Session::set_threads(int threads) { impl_->threads = std::max(threads, 0); }
 void Session::set_streams(int streams) { impl_->streams = std::max(streams, 1); }
 int Session::streams() const { return impl_->streams; }
 void Session::set_time_limit(double seconds) { impl_->time_limit_s = std::max(seconds, 0.0); }
@@ -242,6 +249,13 @@ void Session::set_paper(const PaperSetup& paper) {
 
 const std::optional<RealSize>& Session::asked_size() const { return impl_->asked_size; }
 void Session::leave_size() { impl_->asked_size.reset(); }
+void Session::set_desk_paper(const std::string& format) {
+  impl_->desk_paper = format;
+  if (has_model()) return;
+  PaperSetup paper = project().paper;
+  paper.format = format;
+  impl_->history.amend(netwright::set_paper(project(), paper));
+}
 
 void Session::set_size(const PrintSize& size) {
   leave_size();
@@ -268,12 +282,32 @@ void Session::undo() {
   const bool is_first_change = impl_->chore_making && !impl_->making.continues_step;
   impl_->cancel_making();
   if (is_first_change) return;  // what was asked for last has not come yet: it never will
-  if (can_undo()) impl_->move_in_history(&History::undo);
+  if (impl_->is_unfinished && project().tree) {
+    impl_->come_to_rest();
+    impl_->drop_result();
+  } else if (can_undo()) {
+    impl_->move_in_history(impl_->history.position() - 1);
+  }
 }
 
 void Session::redo() {
   impl_->cancel_making();
-  if (can_redo()) impl_->move_in_history(&History::redo);
+  if (can_redo()) impl_->move_in_history(impl_->history.position() + 1);
+}
+
+std::vector<std::string> Session::history() const {
+  std::vector<std::string> labels;
+  for (std::size_t i = 0; i < impl_->history.size(); ++i) labels.push_back(impl_->history.label(i));
+  return labels;
+}
+
+std::size_t Session::history_position() const { return impl_->history.position(); }
+
+void Session::go_to_step(std::size_t position) {
+  if (position == impl_->history.position() || position >= impl_->history.size()) return;
+  impl_->cancel_making();
+  impl_->drop_result();  // an unfinished net on top of the steps goes, too
+  impl_->move_in_history(position);
 }
 
 std::shared_ptr<const std::vector<Sheet>> Session::sheets() const {
@@ -285,7 +319,15 @@ std::shared_ptr<const PageLayout> Session::pages() const {
   return sheets() && impl_->derived->shown == shown() ? impl_->derived->pages : nullptr;
 }
 
-void Session::export_to(const std::filesystem::path& path) { impl_->export_to(path); }
+void Session::export_to(const std::filesystem::path& path) {
+  if (impl_->run || impl_->is_unfinished || !project().tree) {
+    impl_->say(Message::Kind::Notice,
+               impl_->run ? "The search is still going: the net can be saved when it is done."
+                          : "There is no net without overlaps yet: unfold the model first, then save.");
+    return;
+  }
+  impl_->export_to(path, project(), impl_->derived);
+}
 
 std::vector<Message> Session::take_messages() { return std::exchange(impl_->messages, {}); }
 

@@ -16,6 +16,7 @@
 #include "core/project/project.h"
 #include "core/project/real_size.h"
 #include "core/project/run_figures.h"
+#include "core/project/run_list.h"
 #include "core/project/shown_net.h"
 #include "core/sheet/pages.h"
 #include "core/sheet/sheet.h"
@@ -143,6 +144,35 @@ class Session {
   [[nodiscard]] int streams() const;
   void set_time_limit(double seconds);
   [[nodiscard]] double time_limit() const;
+  /// How many threads run the streams, from the next run on; 0 = all the machine has. Never decides the net.
+  void set_threads(int threads);
+
+  // Finished runs of the present mesh. Looking at one changes nothing; taking its net is one undo step.
+  [[nodiscard]] std::vector<RunList::Entry> runs() const;  ///< oldest first
+  [[nodiscard]] int best_run() const;                      ///< its number; 0 without runs
+  [[nodiscard]] int accepted_run() const;                  ///< whose net is the project's; 0 for none
+  [[nodiscard]] int viewed_run() const;                    ///< 0 while the project's own net is shown
+  void view_run(int number);                               ///< 0 goes back to the project's own net
+  /// One sentence, empty when the run's net may become the project's: it is proved and keeps all pins.
+  [[nodiscard]] std::string why_not_accept(int number) const;
+  void accept_run(int number);
+  void delete_run(int number);
+  /// Writes a proved run's net as export_to() does the project's; also while a search goes on.
+  void export_run(int number, const std::filesystem::path& path);
+
+  /// The recorded moves of the run that is looked at.
+  struct Timeline {
+    int position = 0;  ///< 0 … n_steps - 1
+    int n_steps = 0;
+    int home = 0;  ///< where the run's own net is reached
+    bool is_playing = false;
+    double speed = 0;  ///< moves a second
+  };
+  [[nodiscard]] std::optional<Timeline> timeline() const;  ///< none without a run or when its moves are gone
+  void seek(int position);
+  void play();  ///< from the present position, at the end from the beginning
+  void hold();
+  void set_play_speed(double moves_per_second);
 
   // Edits: each is one undo step with a name.
   void pin_root(FaceId face);  ///< an invalid face removes the pin
@@ -154,6 +184,8 @@ class Session {
   /// Does the shown net keep all pins? True without a net.
   [[nodiscard]] bool keeps_pins() const;
   void set_paper(const PaperSetup& paper);
+  /// The paper of models to come, and of an empty project at once; no undo step.
+  void set_desk_paper(const std::string& format);
   void set_size(const PrintSize& size);
   /// How large the model is by its file, as long as that can hardly be meant and the user has not said what
   /// is: asked once for each model that is opened. Answered by set_size() or leave_size().
@@ -166,6 +198,10 @@ class Session {
   [[nodiscard]] std::string redo_label() const;
   void undo();  ///< a search that runs is stopped first; an unfinished net that is shown goes first, too
   void redo();
+  /// The names of all steps that can be undone or redone, oldest first, after an empty one for the beginning.
+  [[nodiscard]] std::vector<std::string> history() const;
+  [[nodiscard]] std::size_t history_position() const;
+  void go_to_step(std::size_t position);
 
   // Printing. Sheets exist only for a proved net; null otherwise.
   [[nodiscard]] std::shared_ptr<const std::vector<Sheet>> sheets() const;

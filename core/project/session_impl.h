@@ -58,6 +58,21 @@ struct Session::Impl {
     double last_picture;
   };
 
+  /// A finished run being looked at: its own net, or a moment of its moves.
+  struct Viewing {
+    RunList::Entry run;
+    std::shared_ptr<Replay> replay;  ///< used by one chore at a time; null when the moves are gone
+    int home = 0;                    ///< the position at which the run's own net is reached
+    double position = 0;             ///< between two pictures while it plays
+    bool is_playing = false;
+    double speed = 30;
+    double last_tick = 0;
+    int asked = -1;  ///< the position that `chore` works on, then that `picture` shows
+    std::shared_ptr<const ShownNet> picture;
+    std::shared_ptr<Chore<ShownNet>> chore;
+    [[nodiscard]] int at() const { return static_cast<int>(position); }
+  };
+
   explicit Impl(Clock clock_function);
   ~Impl();
 
@@ -77,8 +92,18 @@ struct Session::Impl {
   void finish_run(const SearchRun::Outcome& outcome);
   void accept(const SolveResult& result, const RunSummary& summary);
   void show_unfinished(const SolveResult& result);
-  void start_replay(const SolveResult& result);
+  void start_replay(const SearchRun::Outcome& outcome);
   void end_replay();
+
+  // Finished runs (session_runs.cpp).
+  void keep_run(const SearchRun::Outcome& outcome, const RunSummary& summary);
+  void view_run(int number);
+  void leave_view();
+  bool take_view();
+  bool show_view();
+  void ask_for_view();
+  [[nodiscard]] RunList::Entry accepted_run() const;  ///< null when the project's net is of none
+  [[nodiscard]] RunFigures view_figures() const;
 
   // Chores.
   void open(ModelSource source);
@@ -89,12 +114,14 @@ struct Session::Impl {
   void cancel_making();
   void part_net_from_step();
   void derive_again();  ///< after every change of the project
-  void export_to(const std::filesystem::path& path);
+  void export_to(const std::filesystem::path& path, const Project& source,
+                 std::shared_ptr<const Derived> before);
 
   // Changes of the project and of what is shown.
   [[nodiscard]] const Project& project() const { return history.present(); }
   void edit(std::string label, Project next);
-  void move_in_history(void (History::*move)());
+  void come_to_rest();  ///< nothing runs, plays or is looked at any more
+  void move_in_history(std::size_t position);
   void drop_result();  ///< back to what the project itself says
   void relay_unfinished(FaceId root);
   /// `from` may be null: then the search starts anew. Says why when the pins contradict each other.
@@ -114,6 +141,8 @@ struct Session::Impl {
   std::unique_ptr<SearchRun> run;
   bool is_timed_out = false;
   std::optional<Playing> playing;
+  RunList runs;
+  std::optional<Viewing> viewing;
   std::string good_news;                    ///< said when the replay is over
   std::shared_ptr<const ShownNet> moving;   ///< the picture of the run or the replay that goes on
   std::shared_ptr<const ShownNet> settled;  ///< what stays when nothing runs
@@ -147,6 +176,8 @@ struct Session::Impl {
   std::uint64_t n_versions = 0;
   double speed = std::numeric_limits<double>::infinity();
   int streams = SolveOptions{}.streams;
+  int threads = 0;
+  std::string desk_paper;  ///< empty: that of the model before
   double time_limit_s = 60;
   int shown_tenths = -1;  ///< of the running clock, when poll() last told of a change
 

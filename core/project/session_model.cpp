@@ -72,6 +72,8 @@ void Session::Impl::replace(Project next) {
   discard_run();
   playing.reset();
   asked_size.reset();
+  leave_view();
+  runs.clear();
   history = History(std::move(next));
   derived = nullptr;
   drop_result();
@@ -81,6 +83,7 @@ void Session::Impl::replace(Project next) {
 void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
                           const std::shared_ptr<const MadeModel>& made) {
   Project next = new_project(project(), model.path, made->dual);
+  if (!desk_paper.empty()) next.paper.format = desk_paper;
   next.source = model.source;
   next.recipe = recipe;
   next.made = made;
@@ -181,6 +184,8 @@ bool Session::Impl::take_made() {
     history.push(making.label, std::move(next));
     making.continues_step = true;
   }
+  leave_view();
+  runs.keep([this](const std::shared_ptr<const DualGraph>& dual) { return history.holds(dual); });
   derived = nullptr;
   drop_result();
   derive_again();

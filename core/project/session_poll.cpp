@@ -20,6 +20,8 @@ namespace {
 constexpr int kFewPictures = 3;
 constexpr double kShortRun = 0.1;
 
+constexpr std::size_t kMostChartValues = 2000;
+
 /// Seconds between two pictures of a replay, per face: what making one costs, with room to spare.
 constexpr double kPictureSecondsPerFace = 2e-5;
 
@@ -61,23 +63,6 @@ std::string export_news(const std::vector<std::filesystem::path>& files, std::si
   const bool has_pages = files.front().extension() == ".pdf" || files.front().extension() == ".PDF";
   if (!has_pages) return "Saved " + first;
   return "Saved " + first + ", " + counted(static_cast<std::int64_t>(n_pages), "page", "pages");
-}
-
-/// The chart of a finished search, thinned to as many values as a running one has.
-void take_history(const std::vector<Episode>& log, RunFigures& figures) {
-  constexpr std::size_t kMaxValues = 2000;
-  std::vector<int> history;
-  for (const Episode& episode : log) {
-    if (history.empty()) history.push_back(episode.overlaps_at_start);
-    for (const MoveRecord& move : episode.moves) history.push_back(move.overlaps_after);
-  }
-  if (history.empty()) return;
-  const std::size_t stride = (history.size() + kMaxValues - 1) / kMaxValues;
-  figures.overlaps_at_start = history.front();
-  figures.history.clear();
-  for (std::size_t i = 0; i < history.size(); i += stride) figures.history.push_back(history[i]);
-  if ((history.size() - 1) % stride != 0) figures.history.push_back(history.back());
-  figures.history_stride = static_cast<std::int64_t>(stride);
 }
 
 }  // namespace
@@ -125,20 +110,17 @@ bool Session::Impl::take_derived() {
     }());
     history.amend(std::move(proved));
   }
+  const bool is_viewed = viewing && viewing->picture && viewing->picture == settled;
   if (!is_unfinished && derived->shown) settled = derived->shown;
+  if (is_viewed) viewing->picture = settled;
   return true;
 }
 
-void Session::Impl::export_to(const std::filesystem::path& path) {
-  if (run || is_unfinished || !project().tree) {
-    say(Message::Kind::Notice,
-        run ? "The search is still going: the net can be saved when it is done."
-            : "There is no net without overlaps yet: unfold the model first, then save.");
-    return;
-  }
+void Session::Impl::export_to(const std::filesystem::path& path, const Project& source,
+                              std::shared_ptr<const Derived> before) {
   auto chore = std::make_shared<Chore<Message>>(bell);
   chore->progress = worker.submit(
-      Worker::Lane::Chores, [chore, path, source = project(), before = derived](Progress& progress) {
+      Worker::Lane::Chores, [chore, path, source, before = std::move(before)](Progress& progress) {
         const std::string name = path.filename().string();
         progress.set_phase("Saving " + name);
         auto news = std::make_shared<Message>();
@@ -206,14 +188,18 @@ void Session::Impl::finish_run(const SearchRun::Outcome& outcome) {
   if (summary.seconds > 0)
     last_figures->moves_per_second = static_cast<double>(summary.moves) / summary.seconds;
   // A search that was told to stop while it waited had not shown its last moves: the log has them all.
-  if (result.is_proved) take_history(result.log, *last_figures);
+  if (outcome.log) {
+    last_figures->history = outcome.log->history(kMostChartValues, last_figures->history_stride);
+    last_figures->overlaps_at_start = last_figures->history.front();
+  }
+  keep_run(outcome, summary);
   if (!result.is_proved) {
     show_unfinished(result);
     return;
   }
   accept(result, summary);
   const bool was_unseen = ended->n_pictures() <= kFewPictures || ended->seconds() < kShortRun;
-  if (!ended->was_slowed() && was_unseen) start_replay(result);
+  if (!ended->was_slowed() && was_unseen) start_replay(outcome);
   if (!playing) say(Message::Kind::Good, std::exchange(good_news, {}));
 }
 
@@ -244,11 +230,11 @@ void Session::Impl::show_unfinished(const SolveResult& result) {
   say(Message::Kind::Notice, unfinished_news(result, *last_figures, is_timed_out));
 }
 
-void Session::Impl::start_replay(const SolveResult& result) {
-  const auto has_moves = [](const Episode& episode) { return !episode.moves.empty(); };
-  if (std::none_of(result.log.begin(), result.log.end(), has_moves)) return;
+void Session::Impl::start_replay(const SearchRun::Outcome& outcome) {
+  if (!outcome.log || outcome.log->n_moves() == 0) return;
   const double now = clock();
-  playing.emplace(Playing{Replay(result), now, -1});
+  auto log = std::make_shared<const RunLog>(*outcome.log, RunLog::Extent::Followable);
+  playing.emplace(Playing{Replay(std::move(log)), now, -1});
   show_replay();
 }
 
@@ -261,15 +247,15 @@ bool Session::Impl::show_replay() {
     end_replay();
     return true;
   }
-  const auto goal = static_cast<int>(share * replay.n_steps());
+  const auto goal = static_cast<int>(share * replay.log().n_steps());
   const double gap = kPictureSecondsPerFace * static_cast<double>(project().dual->mesh().n_faces());
   if (moving && (goal <= replay.position() || now - playing->last_picture < gap)) return false;
-  replay.advance_to(goal);
+  replay.seek(goal);
   playing->last_picture = now;
   Net net = replay.net();
   std::vector<Overlap> overlaps = find_overlaps(net, kShownDepth);
   auto shown = std::make_shared<ShownNet>(make_shown_net(std::move(net), std::move(overlaps), false));
-  shown->last_move = replay.last_move();
+  shown->last_move = replay.log().move(replay.position());
   moving = stamp(std::move(shown));
   return true;
 }
@@ -283,19 +269,22 @@ void Session::Impl::end_replay() {
 
 RunFigures Session::Impl::replay_figures() const {
   RunFigures figures = settled_figures();
-  const Replay& replay = playing->replay;
+  const RunLog& log = playing->replay.log();
+  const int at = playing->replay.position();
   figures.overlaps = static_cast<int>(moving->overlaps.size());
-  figures.overlaps_at_start = replay.overlaps_at_start();
-  figures.best_overlaps = replay.best_overlaps();
-  figures.moves = replay.moves();
-  figures.restarts = replay.restarts();
-  figures.history = replay.history();
+  figures.overlaps_at_start = log.overlaps(0);
+  figures.best_overlaps = log.fewest_overlaps(at);
+  figures.moves = log.moves(at);
+  figures.restarts = log.restarts(at);
+  figures.history.clear();
+  for (int i = 0; i <= at; ++i) figures.history.push_back(log.overlaps(i));
   figures.history_stride = 1;
   return figures;
 }
 
 RunFigures Session::Impl::settled_figures() const {
   if (last_figures) return *last_figures;
+  if (const RunList::Entry accepted = accepted_run()) return accepted->figures;
   RunFigures figures;
   figures.seed = project().seed;
   if (project().dual) figures.faces = static_cast<int>(project().dual->mesh().n_faces());
@@ -318,6 +307,7 @@ bool Session::Impl::poll() {
   has_changed |= take_exports();
   has_changed |= take_leftovers();
   has_changed |= watch_files();
+  has_changed |= take_view();
   has_changed |= show_replay();
   has_changed |= take_run();
   watch_clock();
