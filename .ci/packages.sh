@@ -6,7 +6,8 @@ build_packages=(
   libtinyobjloader-dev libtinygltf-dev libassimp-dev libstb-dev
   libcairo2-dev libfreetype-dev libcli11-dev nlohmann-json3-dev libzip-dev
   libgl1 libgl1-mesa-dri libegl1 libegl-mesa0)
-test_packages=(libgtest-dev xvfb xauth xdotool x11-utils imagemagick poppler-utils mupdf-tools)
+test_packages=(libgtest-dev xvfb xauth xdotool x11-utils imagemagick poppler-utils mupdf-tools
+  desktop-file-utils appstream shared-mime-info groff-base dpkg-dev)
 lint_packages=(clang-format clang-tidy-16)
 
 say() { printf '%s\n' "$*" >&2; }

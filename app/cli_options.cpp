@@ -265,6 +265,7 @@ class Reader {
 
   void add_verify() {
     verify_app_ = app_.add_subcommand("verify", "Prove that a .fold file or a project holds a net");
+    verify_app_->footer(kFooter);
     verify_app_->add_option("FILE", verify_.file, "Net as written by unfold: .fold .netwright")
         ->required()
         ->type_name("");

@@ -15,7 +15,9 @@
 #include <set>
 #include <utility>
 
+#include "assets/assets.h"
 #include "core/base/error.h"
+#include "core/base/image.h"
 #include "render/gl.h"
 
 namespace netwright {
@@ -66,6 +68,17 @@ bool is_on_screen(const WindowPlacement& placement) {
   return false;
 }
 
+/// For window lists; desktops that know the program's entry take theirs.
+void set_icon(GLFWwindow* window) {
+  std::array<Image, 3> pictures{decode_image(asset_text("assets/icons/netwright-16.png")),
+                                decode_image(asset_text("assets/icons/netwright-48.png")),
+                                decode_image(asset_text("assets/icons/netwright-128.png"))};
+  std::array<GLFWimage, 3> icons{};
+  for (std::size_t i = 0; i < icons.size(); ++i)
+    icons[i] = {pictures[i].width, pictures[i].height, pictures[i].rgba.data()};
+  glfwSetWindowIcon(window, static_cast<int>(icons.size()), icons.data());
+}
+
 std::unique_ptr<GLFWwindow, WindowDeleter> create(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -88,6 +101,7 @@ std::unique_ptr<GLFWwindow, WindowDeleter> create(const WindowOptions& options) 
     glfwSetWindowPos(window.get(), options.placement.position.x, options.placement.position.y);
   glfwShowWindow(window.get());
   glfwSetWindowSizeLimits(window.get(), kSmallestSize.x, kSmallestSize.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  set_icon(window.get());
   glfwMakeContextCurrent(window.get());
   glfwSwapInterval(1);
   if (gladLoadGL(glfwGetProcAddress) == 0) throw no_window("the graphics driver offers no OpenGL 3.3");

@@ -13,6 +13,15 @@ namespace {
 constexpr ChildLimits kReadLimits{
     .seconds = 4, .memory_bytes = std::size_t{900} << 20, .output_bytes = std::size_t{400} << 20};
 
+/// Beside this program as it was built; once installed, where programs that nobody starts by hand belong.
+std::filesystem::path helper() {
+  const std::filesystem::path folder = program_folder();
+  const std::filesystem::path beside = folder / "netwright-read";
+  std::error_code error;
+  return std::filesystem::exists(beside, error) ? beside
+                                                : folder.parent_path() / "libexec/netwright/netwright-read";
+}
+
 /// What Assimp said, as the middle of a sentence.
 std::string as_clause(std::string_view said) {
   constexpr std::size_t kLongest = 100;
@@ -41,7 +50,7 @@ void add_textures(ParsedModel& model, const CompanionLookup& companions) {
 
 }  // namespace
 
-ChildReader usual_child_reader() { return {program_folder() / "netwright-read", kReadLimits}; }
+ChildReader usual_child_reader() { return {helper(), kReadLimits}; }
 
 PolygonSoup read_in_child(const std::string& name, std::string_view bytes, const std::string& extension,
                           const CompanionLookup& companions, const ChildReader& reader) {
