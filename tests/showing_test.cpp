@@ -100,6 +100,9 @@ TEST(OverlapDepth, IsTheShortestWayOut) {
 TEST(OverlapPanel, ListsTheDeepestFirstAndFliesThere) {
   Gui gui;
   leave_overlaps(gui);
+  for (const Section other : {Section::Solve, Section::Runs, Section::Paper})
+    gui.ui().settings.is_open(other) = false;
+  gui.frames(3);
   gui.click("section/Overlaps");
   gui.frames(3);
   const auto& rows = gui.ui().overlaps.rows;

@@ -45,6 +45,7 @@ await() {
 
 title_has() { [[ "$(xdotool getwindowname "$window")" == *"$1"* ]]; }
 is_pdf() { [ "$(head -c 4 "$1" 2>/dev/null)" = "%PDF" ]; }
+is_there() { [ -s "$1" ]; }
 is_gone() { ! kill -0 "$pid" 2>/dev/null; }
 
 # Longer than a frame of software drawing takes, as a finger is.
@@ -84,6 +85,10 @@ sleep 1
 press Return
 await "the pages are exported" is_pdf "$folder/model.pdf"
 
+press_with_control s
+sleep 1
+press Return
+await "the project is saved" is_there "$folder/model.netwright"
 press_with_control q
 await "the program ends" is_gone
 wait "$pid" || fail "the program ends well"

@@ -319,7 +319,7 @@ const auto kActions = std::to_array<Action>({
      needs_more_faces, [](UiContext& c) { c.session.simplify_to(kUsualFaces, false); }, nullptr, nullptr},
     {ActionId::AllFaces, "All faces", "", {}, "Takes the simplification back", needs_simplified,
      [](UiContext& c) { c.session.simplify_to(0, false); }, nullptr, nullptr},
-    {ActionId::CentreFace, "Centre the face", icon::kFrame, {'V', 0}, "Brings the face to the middle of both views",
+    {ActionId::CentreFace, "Centre the face", icon::kFrame, {'J', 0}, "Brings the face to the middle of both views",
      needs_face, [](UiContext& c) { c.ui.wants_centre = chosen_face(c); }, nullptr, nullptr},
     {ActionId::ClearSelection, "Clear selection", "", {}, "Lets go of the selected faces and edges", needs_selection,
      [](UiContext& c) { clear_selection(c.ui); }, nullptr, nullptr},

@@ -18,7 +18,7 @@ namespace netwright {
 namespace {
 
 constexpr std::array<const char*, 10> kTitles{
-    "",       "Open a model or project", "Export the net",    "Keys and mouse",      "About Netwright",
+    "",       "Open a model or project", "Export the net",    "Keys and mouse",       "About Netwright",
     "Repair", "Save the project",        "Save the changes?", "Recover unsaved work", "Preferences"};
 
 std::vector<std::string> readable_extensions() {

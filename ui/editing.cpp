@@ -171,6 +171,7 @@ void take_edit(UiContext& context, const Pointed& pointed, const Gesture& gestur
       drag_branch(context, *net, *at);
       return;
     }
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;  // pressed and not moved yet
     const bool is_wanted = editing.edit.has_value() && !gesture.is_clicked;
     if (is_wanted) make(context, "hang branch");
     editing = Editing{.is_on = true};

@@ -72,6 +72,11 @@ float speed_width(const UiState& ui, bool has_labels) {
   return slider + (has_labels ? ImGui::CalcTextSize("speed").x + ui.look.px(16) : 0);
 }
 
+/// Where room is shortest the tools stay in the menus and on their keys.
+bool is_tool(const BarItem& item) {
+  return item.kind == Item::IconOnly && (item.id == ActionId::JoinAndCut || item.id == ActionId::Measure);
+}
+
 float bar_width(const UiContext& context, bool has_labels) {
   const UiState& ui = context.ui;
   float width = ui.look.px(16);
@@ -118,8 +123,10 @@ void speed_slider(UiContext& context, bool has_labels) {
 void draw_toolbar(UiContext& context) {
   const UiState& ui = context.ui;
   const bool has_labels = bar_width(context, true) <= ImGui::GetContentRegionAvail().x;
+  const bool has_tools = has_labels || bar_width(context, false) <= ImGui::GetContentRegionAvail().x;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(4), 0));
   for (const BarItem& item : kBar) {
+    if (is_tool(item) && !has_tools) continue;
     const float y = ImGui::GetCursorPosY();
     if (item.kind == Item::Separator) {
       separator(ui);

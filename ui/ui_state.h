@@ -97,7 +97,7 @@ struct UiState {
   HalfedgeId selected_side;            ///< the edge clicked last, from the side it was clicked at
   std::vector<FaceId> selected_faces;  ///< all of them, sorted
   std::vector<EdgeId> selected_edges;
-  Lit lit;                             ///< gone with the mesh
+  Lit lit;  ///< gone with the mesh
   /// The part of the model under the pointer in the list of parts, and its faces; gone with the mesh.
   std::optional<std::size_t> hovered_part;
   std::vector<FaceId> hovered_part_faces;

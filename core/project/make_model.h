@@ -29,10 +29,10 @@ struct ModelStages {
   /// Repaired, all faces flat, all parts. Null when a project with parts left out was opened, until
   /// add_survey() or another recipe.
   std::shared_ptr<const Mesh> whole;
-  std::shared_ptr<const Mesh> mesh;              ///< without the parts that are left out
-  std::vector<std::string> repaired;             ///< what was done for `whole`,
-  std::vector<std::string> done;                 ///< and for `mesh`
-  std::vector<MeshReport::Line> file_lines;      ///< what the file had that the mesh has no more, with culprits
+  std::shared_ptr<const Mesh> mesh;          ///< without the parts that are left out
+  std::vector<std::string> repaired;         ///< what was done for `whole`,
+  std::vector<std::string> done;             ///< and for `mesh`
+  std::vector<MeshReport::Line> file_lines;  ///< what the file had that the mesh has no more, with culprits
   std::shared_ptr<const Simplifier> simplifier;  ///< null until it is asked for
   std::shared_ptr<const ModelSurvey> survey;     ///< null until add_survey()
 };

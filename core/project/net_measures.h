@@ -28,8 +28,8 @@ NetMeasures measure(const Net& net);
 std::optional<glm::dvec2> size_on_paper(const NetMeasures& measures, const PaperSetup& paper,
                                         const PrintSize& size);
 
-/// The net as a small picture: white, as opaque as it covers a pixel, turned to lie in its smallest rectangle.
-/// Several pieces stand side by side.
+/// The net as a small picture: white, as opaque as it covers a pixel, turned to lie in its smallest
+/// rectangle. Several pieces stand side by side.
 Image net_picture(const Net& net, int width_px, int height_px);
 
 }  // namespace netwright
