@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "core/project/autosave.h"
 #include "core/project/project_file.h"
 #include "core/project/session.h"
 
@@ -29,7 +30,9 @@ class Editor {
   }
 
   void open() {
-    for (int i = 0; i < 5; ++i) turn();
+    // The session looks for them on its worker; a person takes longer than that to choose.
+    const bool is_left = !find_leftovers(folder_ / "state").empty();
+    while (is_left && session_.leftovers().empty()) turn();
     const fs::path work = folder_ / "work.netwright";
     session_.leftovers().empty() ? session_.open(work) : session_.recover(session_.leftovers().front().file);
     while (!session_.has_model()) turn();
