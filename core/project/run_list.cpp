@@ -29,7 +29,7 @@ RunList::Entry RunList::add(FinishedRun run) {
     run.number = ++n_numbers_;
   }
   runs_.push_back(std::make_shared<const FinishedRun>(std::move(run)));
-  const Entry added = runs_.back();
+  Entry added = runs_.back();
   if (runs_.size() > kMostRuns) drop_one();
   shed_logs();
   return added;

@@ -60,6 +60,7 @@ struct Session::Impl {
 
   /// A finished run being looked at: its own net, or a moment of its moves.
   struct Viewing {
+    Viewing();  // out of line: whether it can be made is asked before this class is complete
     RunList::Entry run;
     std::shared_ptr<Replay> replay;  ///< used by one chore at a time; null when the moves are gone
     int home = 0;                    ///< the position at which the run's own net is reached

@@ -53,6 +53,8 @@ RunList::Entry Session::Impl::accepted_run() const {
   return nullptr;
 }
 
+Session::Impl::Viewing::Viewing() = default;
+
 void Session::Impl::view_run(int number) {
   const RunList::Entry wanted = runs.find(number);
   if (!wanted || wanted->dual != project().dual || run) return;
