@@ -10,7 +10,7 @@ class ProjectCommand : public CommandLine {
  protected:
   /// A project with a net, found with seed 5.
   std::string write_project(const PolygonSoup& soup, Strings options = {}) {
-    const std::string project = at("model.netwright");
+    std::string project = at("model.netwright");
     options.insert(options.begin(), {"unfold", write("model.obj", soup), "-o", project, "--seed", "5"});
     EXPECT_EQ(run(options).status, 0);
     return project;

@@ -37,7 +37,7 @@ std::string sentence_of(const std::function<void()>& reads) {
     reads();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::Read);
-    const std::string said = error.what();
+    std::string said = error.what();
     EXPECT_TRUE(said.ends_with(".")) << said;
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
     return said;
