@@ -19,7 +19,7 @@ namespace {
 using testing::make_dual;
 using testing::zoo;
 
-SolveResult solve_with(const PolygonSoup& soup, SolveOptions options, const SolveHooks& hooks = {}) {
+SolveResult solve_with(const PolygonSoup& soup, const SolveOptions& options, const SolveHooks& hooks = {}) {
   Progress progress;
   return solve(make_dual(soup), options, progress, hooks);
 }

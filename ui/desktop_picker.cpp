@@ -22,7 +22,7 @@ fs::path on_path(const char* name) {
   std::string_view rest = all == nullptr ? "" : all;
   while (!rest.empty()) {
     const auto colon = rest.find(':');
-    const fs::path candidate = fs::path(rest.substr(0, colon)) / name;
+    fs::path candidate = fs::path(rest.substr(0, colon)) / name;
     std::error_code error;
     if (fs::is_regular_file(candidate, error)) return candidate;
     rest = colon == std::string_view::npos ? "" : rest.substr(colon + 1);
