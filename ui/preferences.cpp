@@ -70,8 +70,9 @@ bool paper_row(UiState& ui) {
   bool has_changed = paper_choice(ui, by_locale, "");
   for (const PaperFormat& format : paper_formats()) {
     const std::string name(format.name);
-    const std::string size = area_text(format.width_mm, format.height_mm, ui.settings.unit);
-    has_changed = paper_choice(ui, name + "   " + size, name) || has_changed;
+    std::string label = name + "   ";
+    label += area_text(format.width_mm, format.height_mm, ui.settings.unit);
+    has_changed = paper_choice(ui, label, name) || has_changed;
   }
   ImGui::EndCombo();
   return has_changed;

@@ -18,9 +18,10 @@ void open_recent(UiContext& context, const fs::path& file) {
     open_file(context, file);
     return;
   }
-  const fs::path gone = file;  // it may stand in the list that is about to change
-  std::erase(context.ui.settings.recent, gone);
-  add_toast(context.ui, gone.filename().string() + " is no longer in " + folder_text(gone) + ".", false);
+  add_toast(context.ui, file.filename().string() + " is no longer in " + folder_text(file) + ".", false);
+  // `file` may stand in the list itself: the last use of it.
+  std::erase_if(context.ui.settings.recent,
+                [name = file.string()](const fs::path& one) { return one == name; });
 }
 
 std::string folder_text(const fs::path& file) {
