@@ -222,7 +222,7 @@ class Rows {
 std::optional<RecipeChange> repair_rows(UiState& ui, const Recipe& wanted, const RepairSurvey& survey,
                                         double unit_mm, float width) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), ui.look.px(2)));
-  const auto change = Rows(ui, wanted, survey, unit_mm, width).draw();
+  auto change = Rows(ui, wanted, survey, unit_mm, width).draw();
   ImGui::PopStyleVar();
   return change;
 }
