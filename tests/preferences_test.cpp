@@ -43,6 +43,12 @@ class Environment {
   std::optional<std::string> before_;
 };
 
+/// A folder with a program of this name that does what the lines of shell say.
+void write_program(const TemporaryFolder& folder, const std::string& name, const std::string& lines) {
+  const auto program = folder.write(name, "#!/bin/sh\n" + lines + "\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+}
+
 TEST(PreferencesDialog, ChangesTakeEffectAtOnce) {
   Gui gui({1024, 700});
   gui.key(',', kControl);
@@ -243,6 +249,24 @@ TEST(Keyboard, F10OpensTheMenusForTheArrows) {
   EXPECT_FALSE(gui.widgets.find("menu/Open…").has_value());
 }
 
+TEST(PreferencesDialog, OffersTheDesktopsFileDialogOnlyWhereThereIsOne) {
+  const TemporaryFolder folder;
+  {
+    const Environment path("PATH", folder.path().string());
+    Gui gui({1024, 700});
+    gui.key(',', kControl);
+    EXPECT_FALSE(gui.rect("preferences/dialogs/The desktop's").is_enabled);
+    gui.click("preferences/dialogs/The desktop's");
+    EXPECT_FALSE(gui.ui().settings.uses_desktop_dialogs);
+  }
+  write_program(folder, "kdialog", "exit 1");
+  const Environment path("PATH", folder.path().string());
+  Gui gui({1024, 700});
+  gui.key(',', kControl);
+  gui.click("preferences/dialogs/The desktop's");
+  EXPECT_TRUE(gui.ui().settings.uses_desktop_dialogs);
+}
+
 TEST(DesktopPicker, StartsBothProgramsWithWhatTheyUnderstand) {
   const PickRequest open{false, "Open a model", "/home/a", {"obj", "stl"}};
   const auto zenity = picker_arguments("/usr/bin/zenity", open);
@@ -251,12 +275,6 @@ TEST(DesktopPicker, StartsBothProgramsWithWhatTheyUnderstand) {
   const auto kdialog = picker_arguments("/usr/bin/kdialog", {true, "Export", "/home/a/net.pdf", {"pdf"}});
   EXPECT_EQ(kdialog,
             (std::vector<std::string>{"--title", "Export", "--getsavefilename", "/home/a/net.pdf", "*.pdf"}));
-}
-
-/// A folder with a program of this name that does what the lines of shell say.
-void write_program(const TemporaryFolder& folder, const std::string& name, const std::string& lines) {
-  const auto program = folder.write(name, "#!/bin/sh\n" + lines + "\n");
-  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
 }
 
 TEST(DesktopPicker, OpensWhatTheDesktopsDialogAnswers) {

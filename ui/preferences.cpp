@@ -106,8 +106,8 @@ bool threads_row(UiState& ui) {
   if (has_changed) ui.settings.threads = static_cast<int>(std::min(threads, kMostThreads));
   ImGui::SameLine(0, ui.look.px(8));
   ImGui::AlignTextToFramePadding();
-  const std::string all = std::to_string(ThreadPool::hardware_threads());
-  text_muted(ui, ui.settings.threads == 0 ? "0: all of this machine's " + all : "of this machine's " + all);
+  const std::string here = std::to_string(ThreadPool::hardware_threads()) + " here";
+  text_muted(ui, ui.settings.threads == 0 ? "0: all, " + here : "of " + here);
   return has_changed;
 }
 

@@ -145,7 +145,9 @@ float button_width(const UiState& ui, const ButtonSpec& spec) {
   return std::ceil(icon + ImGui::CalcTextSize(spec.label.c_str()).x + 2 * ui.look.px(kButtonPadding));
 }
 
-bool button(const UiState& ui, const ButtonSpec& spec) {
+bool button(const UiState& ui, const ButtonSpec& wanted) {
+  ButtonSpec spec = wanted;
+  spec.is_enabled = spec.is_enabled && is_next_item_enabled();  // whoever draws it may disable a whole row
   const ImVec2 size(button_width(ui, spec), spec.height > 0 ? spec.height : ui.look.px(32));
   if (!spec.is_enabled) ImGui::BeginDisabled();
   bool is_pressed = ImGui::InvisibleButton(spec.name.c_str(), size);
