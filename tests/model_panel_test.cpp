@@ -398,6 +398,7 @@ TEST(ModelPanel, TheNumberOfFacesCanBeTypedAndTakenBack) {
   ASSERT_TRUE(until_rest(gui));
   EXPECT_LE(n_faces(gui), 100U);
   EXPECT_GE(n_faces(gui), 98U);
+  ASSERT_TRUE(gui.until([&] { return gui.session().deviation_mm().has_value(); }));
   EXPECT_GT(gui.session().deviation_mm(), 0);
   gui.frames(2);
   EXPECT_TRUE(gui.rect("model/all").is_enabled);

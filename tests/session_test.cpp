@@ -135,7 +135,9 @@ TEST_F(SessionTest, DraggingTheSimplifySliderUnfoldsAsItGoesAndIsOneUndoStep) {
     return session_.figures().faces <= 80 && session_.project().tree && session_.state() == RunState::Idle;
   }));
   EXPECT_EQ(session_.recipe().faces, 80);
+  ASSERT_TRUE(frames_until([this] { return session_.deviation_mm().has_value(); }));
   EXPECT_GT(session_.deviation_mm(), 0);
+  EXPECT_EQ(session_.undo_label(), "Undo unfold") << "a figure about the model is no change of it";
   EXPECT_EQ(session_.n_faces_before_simplifying(), 320);
   session_.undo();  // the net
   EXPECT_EQ(session_.project().tree, nullptr);

@@ -21,6 +21,14 @@ TEST(StatusWords, CountWithTheRightNumber) {
   EXPECT_EQ(grouped(999), "999");
 }
 
+TEST(StatusWords, SayHowHardAModelWillBe) {
+  EXPECT_EQ(difficulty_text(0.2), "easy, hardly a move");
+  EXPECT_EQ(difficulty_text(7.6), "easy, about 8 moves");
+  EXPECT_EQ(difficulty_text(43.4), "easy, about 43 moves");
+  EXPECT_EQ(difficulty_text(876), "medium, about 880 moves");
+  EXPECT_EQ(difficulty_text(23456), "hard, about 23\u2009000 moves");
+}
+
 TEST(StatusWords, GiveTimesInTheUnitThatFits) {
   EXPECT_EQ(duration_text(0.00004), "under 0.1 ms");
   EXPECT_EQ(duration_text(0.0024), "2.4 ms");

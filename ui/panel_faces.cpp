@@ -66,20 +66,25 @@ void slider_row(UiContext& context, const Range& range) {
   tooltip(ui, range.is_open() ? "At most so many faces" : why_no_range(range));
 }
 
-/// How far the model is from the file's, or how far the work is.
+/// How far the model is from the file's, and what the search will make of it.
 void figures(const UiContext& context, const Range& range) {
   const UiState& ui = context.ui;
   const Session& session = context.session;
   const auto faces = static_cast<std::int64_t>(session.project().dual->mesh().n_faces());
-  const bool is_simplified = session.recipe().faces > 0 && session.deviation_mm() > 0;
+  const bool is_simplified = session.recipe().faces > 0 && faces < range.all;
   ImGui::BeginGroup();
   ImGui::PushFont(ui.look.fonts.small);
-  text_muted(ui, faces_text(faces, range.all) + (is_simplified ? "," : ""));
-  if (is_simplified)
-    text_muted(ui, "off by at most " + length_text(session.deviation_mm(), ui.settings.unit));
+  text_muted(ui, faces_text(faces, range.all));
+  if (is_simplified) {
+    const std::optional<double> off = session.deviation_mm();
+    text_muted(ui, off ? "off by at most " + length_text(*off, ui.settings.unit) : "measuring how far off…");
+  }
+  const double moves = session.project().made->difficulty;
+  text_muted(ui, difficulty_text(moves));
   ImGui::PopFont();
   ImGui::EndGroup();
   note_widget(ui, "model/figures");
+  tooltip(ui, "To unfold: a guess from the model's shape, before any search");
 }
 
 void all_faces_button(UiContext& context) {

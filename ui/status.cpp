@@ -123,6 +123,17 @@ double seconds_left(double fraction, double elapsed) {
   return elapsed * (1 - fraction) / fraction;
 }
 
+std::string difficulty_text(double moves) {
+  // In words that fit what people see: over in a blink, worth watching, worth a cup of tea.
+  constexpr double kEasy = 100;
+  constexpr double kMedium = 2000;
+  const std::string word = moves < kEasy ? "easy" : (moves < kMedium ? "medium" : "hard");
+  if (moves < 1) return word + ", hardly a move";
+  // Two digits are more than the guess is worth already.
+  const double step = std::pow(10, std::max(0.0, std::floor(std::log10(moves)) - 1));
+  return word + ", about " + counted(std::llround(std::round(moves / step) * step), "move", "moves");
+}
+
 std::string faces_text(std::int64_t faces, std::int64_t all) {
   return faces == all ? counted(all, "face", "faces")
                       : grouped(faces) + " of " + counted(all, "face", "faces");

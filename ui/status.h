@@ -22,6 +22,8 @@ Status status_of(const Session& session);
 
 /// "2.4 ms", "0.4 s", "12 s", "2 min 5 s".
 std::string duration_text(double seconds);
+/// How hard a model will be to unfold, from the moves expected: "easy, about 40 moves".
+std::string difficulty_text(double moves);
 /// "400 of 12 000 faces"; just "12 000 faces" when that is all of them.
 std::string faces_text(std::int64_t faces, std::int64_t all);
 /// The simplify slider: 0 is the fewest faces, 1 all of them, logarithmic between.

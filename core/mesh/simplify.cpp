@@ -177,11 +177,13 @@ std::vector<int> Simplifier::heirs_at(int n_faces) const {
   return heirs;
 }
 
-double Simplifier::deviation_at(int n_faces) const { return deviation_at(n_faces, Progress()); }
-
-double Simplifier::deviation_at(int n_faces, const Progress& progress) const {
+double Simplifier::deviation_at(int n_faces) const {
   if (step_at(n_faces) == 0) return 0;
-  return hausdorff_distance(*surface_, SurfaceTree(soup_at(n_faces)), progress);
+  return hausdorff_distance(*surface_, SurfaceTree(soup_at(n_faces)));
+}
+
+double Simplifier::deviation_of(const Mesh& mesh, const Progress& progress) const {
+  return hausdorff_distance(*surface_, SurfaceTree(mesh), progress);
 }
 
 }  // namespace netwright

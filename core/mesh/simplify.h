@@ -56,8 +56,8 @@ class Simplifier {
   /// bounds until no point can be further away than this by more than 2 % or kDeviationTolerance of the
   /// model's diagonal, whichever is more; so it is no guess from samples.
   [[nodiscard]] double deviation_at(int n_faces) const;
-  /// The same, given up when `progress` is cancelled: then the result means nothing.
-  [[nodiscard]] double deviation_at(int n_faces, const Progress& progress) const;
+  /// The same for any mesh that was made of this one; when `progress` is cancelled, the result means nothing.
+  [[nodiscard]] double deviation_of(const Mesh& mesh, const Progress& progress) const;
 
   [[nodiscard]] const std::shared_ptr<const Mesh>& mesh() const { return mesh_; }
 

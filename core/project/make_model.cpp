@@ -3,6 +3,8 @@
 #include "core/project/make_model.h"
 
 #include "core/base/counted.h"
+#include "core/mesh/deviation.h"
+#include "core/mesh/difficulty.h"
 #include "core/mesh/merge_faces.h"
 #include "core/mesh/planarize.h"
 #include "core/mesh/repair.h"
@@ -132,6 +134,7 @@ class Maker {
       mesh = merged(*mesh);
       hidden = hidden_folds(*mesh, recipe_);
     }
+    model_.difficulty = predicted_difficulty(*mesh);
     model_.report = report_on(*mesh);
     add_reader_notices(*source_, model_.report);
     model_.dual = std::make_shared<const DualGraph>(std::move(mesh), hidden);
@@ -169,7 +172,7 @@ class Maker {
     for (int& source : sources) source = stages_.mesh->face_source(FaceId(source));
     auto mesh = std::make_shared<const Mesh>(simplifier.soup_at(recipe_.faces), std::vector<bool>(), sources);
     model_.origins = passed_on(model_.origins, simplifier.heirs_at(recipe_.faces));
-    model_.deviation = simplifier.deviation_at(recipe_.faces);
+    model_.deviation.reset();
     model_.done.push_back("Simplified from " + grouped(n_before) + " to " +
                           counted(static_cast<std::int64_t>(mesh->n_faces()), "face", "faces") + ".");
     return mesh;
@@ -192,6 +195,13 @@ std::vector<EdgeId> hidden_folds(const Mesh& mesh, const Recipe& recipe) {
            is_apart(recipe, mesh.face_source(mesh.neighbour(h)));
   });
   return folds;
+}
+
+double measure_deviation(const MadeModel& made, const Progress& progress) {
+  const ModelStages& stages = *made.stages;
+  const Mesh& mesh = made.dual->mesh();
+  if (stages.simplifier) return stages.simplifier->deviation_of(mesh, progress);
+  return hausdorff_distance(SurfaceTree(*stages.mesh), SurfaceTree(mesh), progress);
 }
 
 MadeModel make_model(const std::shared_ptr<const PolygonSoup>& source, const Recipe& recipe,

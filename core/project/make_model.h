@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,8 +43,10 @@ struct MadeModel {
   MeshReport report;                      ///< of the mesh that came out, else of the file
   std::string refusal;                    ///< why it is not fit, one sentence with the cure; else empty
   std::vector<std::string> done;          ///< what the recipe did, whole sentences
-  double deviation = 0;                   ///< how far simplifying moved the surface, model units
-  Origins origins;                        ///< which faces of the file went into which of the mesh
+  /// How far simplifying moved the surface, model units; none until it is measured (measure_deviation).
+  std::optional<double> deviation = 0;
+  double difficulty = 0;  ///< predicted_difficulty of the mesh
+  Origins origins;        ///< which faces of the file went into which of the mesh
   /// Of each face that was merged of several: the file's faces of those (Recipe::apart takes such a group);
   /// else empty.
   IdVector<FaceId, std::vector<int>> groups;
@@ -55,6 +58,10 @@ struct MadeModel {
 /// The folds of a merged mesh that need not be seen: flat within the tolerance for merging, where merging
 /// would have bent a face. Not those of groups that were split again on purpose.
 std::vector<EdgeId> hidden_folds(const Mesh& mesh, const Recipe& recipe);
+
+/// The Hausdorff distance between the mesh and what it was before simplifying, model units. Up to 0.1 s at
+/// thousands of faces, so that a slider cannot wait for it. When cancelled, the result means nothing.
+double measure_deviation(const MadeModel& made, const Progress& progress);
 
 /// Follows the recipe. `before` may be null; its stages are used again where they still fit. Never throws for
 /// a bad model. With recipe.faces > 0 the simplifier is made (or taken over); that is the long part.

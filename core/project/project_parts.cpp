@@ -192,7 +192,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   if (made.stages && made.stages->mesh) made_json.set("base", mesh_json(*made.stages->mesh, pictures));
   if (made.stages) made_json.set("base_done", texts_json(made.stages->done));
   made_json.set("done", texts_json(made.done));
-  made_json.set("deviation", made.deviation);
+  if (made.deviation) made_json.set("deviation", *made.deviation);
   if (!made.groups.empty()) made_json.set("groups", lists_json(made.groups.raw()));
   made_json.set("fewest_faces", made.n_faces_least);
   json.set("made", std::move(made_json));

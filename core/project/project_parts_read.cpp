@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json.h"
+#include "core/mesh/difficulty.h"
 #include "core/project/json_fields.h"
 #include "core/project/project_words.h"
 #include "core/project/shape_bytes.h"
@@ -196,9 +197,12 @@ class Reader {
       refuse_damaged(file_, std::string("its mesh cannot be unfolded (") + error.what() + ")");
     }
     made->report = report_on(*mesh);
+    made->difficulty = predicted_difficulty(*mesh);
     add_reader_notices(*project.source, made->report);
     made->done = fields.texts("done");
-    made->deviation = fields.number("deviation", 0, kMostNumber, 0);
+    if (project.recipe.faces > 0 && !fields.has("deviation")) made->deviation.reset();
+    const double deviation = fields.number("deviation", 0, kMostNumber, 0);
+    if (made->deviation) made->deviation = deviation;
     made->n_faces_least = static_cast<int>(fields.integer("fewest_faces", 0, kMostInt, 0));
     auto stages = std::make_shared<ModelStages>();
     stages->source = project.source;

@@ -101,8 +101,9 @@ class Session {
   void simplify_to(int faces, bool is_dragging);
   /// Faces before simplifying, 0 without a model.
   [[nodiscard]] int n_faces_before_simplifying() const;
-  /// How far simplifying moved the surface at most, in mm of the guessed unit.
-  [[nodiscard]] double deviation_mm() const;
+  /// How far simplifying moved the surface at most, in mm of the guessed unit; none while it is being
+  /// measured, which happens when the mesh is there and nothing more urgent is to be made.
+  [[nodiscard]] std::optional<double> deviation_mm() const;
   [[nodiscard]] const MeshReport* report() const;
 
   [[nodiscard]] RunState state() const;

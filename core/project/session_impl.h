@@ -38,6 +38,10 @@ struct Session::Impl {
     std::shared_ptr<const MadeModel> model;
     std::string fault;
   };
+  struct Measured {
+    std::shared_ptr<const MadeModel> made;
+    double deviation;
+  };
   /// What the mesh is being made anew for.
   struct Making {
     Recipe recipe;
@@ -84,6 +88,7 @@ struct Session::Impl {
   bool take_leftovers();
   bool watch_files();
   bool take_made();
+  bool take_measured();
   void take_tried(const Made& made);
   bool take_derived();
   bool take_exports();
@@ -113,6 +118,8 @@ struct Session::Impl {
   void tell_about(const OpenedModel& model, const MadeModel& made);
   void make(Making wanted);
   void cancel_making();
+  void stop_measuring();
+  void measure_when_idle();
   void part_net_from_step();
   void derive_again();  ///< after every change of the project
   void export_to(const std::filesystem::path& path, const Project& source,
@@ -158,6 +165,8 @@ struct Session::Impl {
   std::optional<Waiting> waiting;
   std::optional<RealSize> asked_size;  ///< until the user has said how tall the model shall be
   std::shared_ptr<Chore<Made>> chore_making;
+  std::shared_ptr<Chore<Measured>> measuring;  ///< how far the present mesh is from the file's
+  std::shared_ptr<const Measured> measured;    ///< no part of the project: knowing it is no change to save
   Making making;
   std::optional<Making> queued;  ///< the slider's latest wish; the mesh in hand is shown first
   bool is_dragging = false;      ///< the simplify slider is held

@@ -112,6 +112,7 @@ void Session::Impl::tell_about(const OpenedModel& model, const MadeModel& made) 
 
 void Session::Impl::make(Making wanted) {
   if (chore_making) chore_making->progress->cancel();
+  stop_measuring();
   making = std::move(wanted);
   chore_making = std::make_shared<Chore<Made>>(bell);
   chore_making->progress =
@@ -157,6 +158,32 @@ void Session::Impl::take_tried(const Made& made) {
     waiting->shown.recipe = waiting->tried;
     say(Message::Kind::Error, made.fault);
   }
+}
+
+void Session::Impl::stop_measuring() {
+  if (measuring) measuring->progress->cancel();
+  measuring = nullptr;
+}
+
+// The next mesh is worth more than a figure about this one: nothing is measured while one is being made.
+void Session::Impl::measure_when_idle() {
+  const std::shared_ptr<const MadeModel>& made = project().made;
+  if (measuring || chore_making || queued || !made || !made->dual || made->deviation) return;
+  if (measured && measured->made == made) return;
+  measuring = std::make_shared<Chore<Measured>>(bell);
+  measuring->progress = worker.submit(Worker::Lane::Chores, [chore = measuring, made](Progress& progress) {
+    if (progress.is_cancelled()) return;
+    const double deviation = measure_deviation(*made, progress);
+    if (!progress.is_cancelled()) chore->result.post(std::make_shared<Measured>(Measured{made, deviation}));
+  });
+}
+
+bool Session::Impl::take_measured() {
+  const std::shared_ptr<const Measured> news = measuring ? measuring->result.take() : nullptr;
+  if (!news) return false;
+  measuring = nullptr;
+  measured = news;
+  return true;
 }
 
 bool Session::Impl::take_made() {
@@ -275,8 +302,12 @@ int Session::n_faces_before_simplifying() const {
   return has_model() ? static_cast<int>(project().made->stages->mesh->n_faces()) : 0;
 }
 
-double Session::deviation_mm() const {
-  return has_model() ? project().made->deviation * guess_unit(*project().source).in_mm : 0;
+std::optional<double> Session::deviation_mm() const {
+  if (!has_model()) return 0;
+  const std::shared_ptr<const MadeModel>& made = project().made;
+  std::optional<double> deviation = made->deviation;
+  if (!deviation && impl_->measured && impl_->measured->made == made) deviation = impl_->measured->deviation;
+  return deviation ? std::optional(*deviation * guess_unit(*project().source).in_mm) : std::nullopt;
 }
 
 }  // namespace netwright

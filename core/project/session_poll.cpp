@@ -303,6 +303,7 @@ bool Session::Impl::poll() {
   const std::size_t n_told = messages.size();
   bool has_changed = take_opened();
   has_changed |= take_made();
+  has_changed |= take_measured();
   has_changed |= take_derived();
   has_changed |= take_exports();
   has_changed |= take_leftovers();
@@ -310,6 +311,7 @@ bool Session::Impl::poll() {
   has_changed |= take_view();
   has_changed |= show_replay();
   has_changed |= take_run();
+  measure_when_idle();
   watch_clock();
   const int tenths = run ? static_cast<int>(run->seconds() * 10) : -1;
   has_changed |= std::exchange(shown_tenths, tenths) != tenths;

@@ -1,7 +1,10 @@
 // Simplifying and flattening, with times and deviations, beside OpenMesh's decimater in the same run (Debian
 // package libopenmesh-apps; its columns stay empty where it is not installed). Usage:
 // simplify_bench FACES MODEL…, each model simplified to FACES faces, or flattened where its faces are uneven.
+// FACES 0 measures the slider instead: how long the next mesh takes once the simplifier is there.
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -17,6 +20,7 @@
 #include "core/mesh/read.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/simplify.h"
+#include "core/project/make_model.h"
 
 namespace netwright {
 namespace {
@@ -98,6 +102,43 @@ void simplify(const fs::path& path, const std::shared_ptr<const Mesh>& mesh, int
   std::printf("\n");
 }
 
+/// Stops of the slider all over its range, each as the editor makes it.
+void slide(const fs::path& path, double& slowest) {
+  constexpr int kStops = 60;
+  const auto soup = std::make_shared<const PolygonSoup>(read_soup(path));
+  Progress progress;
+  Recipe recipe;
+  recipe.faces = 20;
+  const MadeModel first = make_model(soup, recipe, nullptr, progress);
+  if (!first.dual) return;
+  const auto all = static_cast<double>(first.stages->mesh->n_faces());
+  std::vector<double> seconds;
+  double measuring = 0;
+  for (int i = 0; i < kStops; ++i) {
+    recipe.faces = static_cast<int>(20 * std::pow(all / 20, static_cast<double>(i) / kStops));
+    const double before = thread_cpu_seconds();
+    const MadeModel next = make_model(soup, recipe, first.stages, progress);
+    seconds.push_back(thread_cpu_seconds() - before);
+    const double then = thread_cpu_seconds();
+    static_cast<void>(measure_deviation(next, progress));
+    measuring = std::max(measuring, thread_cpu_seconds() - then);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  slowest = std::max(slowest, seconds.back());
+  std::printf("%-28s %6.0f faces: next mesh median %5.1f ms, slowest %5.1f ms; deviation up to %5.1f ms\n",
+              soup->name.c_str(), all, 1e3 * seconds[kStops / 2], 1e3 * seconds.back(), 1e3 * measuring);
+}
+
+int slide_all(const std::vector<std::string>& paths) {
+  double slowest = 0;
+  for (const std::string& path : paths) {
+    slide(path, slowest);
+    std::fflush(stdout);
+  }
+  std::printf("slowest next mesh of all: %.1f ms\n", 1e3 * slowest);
+  return 0;
+}
+
 int run(int faces, const std::vector<std::string>& paths) {
   Sums sums;
   for (const std::string& path : paths) {
@@ -127,7 +168,9 @@ int main(int argc, char** argv) {
     return 1;
   }
   try {
-    return netwright::run(std::stoi(arguments[0]), {arguments.begin() + 1, arguments.end()});
+    const std::vector<std::string> models(arguments.begin() + 1, arguments.end());
+    if (arguments[0] == "0") return netwright::slide_all(models);
+    return netwright::run(std::stoi(arguments[0]), models);
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
     return 1;
