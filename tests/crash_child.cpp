@@ -30,7 +30,8 @@ class Editor {
   }
 
   void open() {
-    // The session looks for them on its worker; a person takes longer than that to choose.
+    // The session looks for them on its worker, at the same time as we do; a person takes longer than that
+    // to choose.
     const bool is_left = !find_leftovers(folder_ / "state").empty();
     while (is_left && session_.leftovers().empty()) turn();
     const fs::path work = folder_ / "work.netwright";

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -312,6 +313,41 @@ TEST(Autosave, OfTwoEditorsEachHasItsOwn) {
   d.session.discard(second);
   ASSERT_TRUE(c.until([&] { return c.session.has_model(); }));
   EXPECT_EQ(kept(state), std::vector<fs::path>{first});
+}
+
+TEST(Autosave, AllWhoLookAtTheSameTimeSeeALeftover) {
+  const TemporaryFolder folder;
+  save_project(testing::project_of(shapes::cube()), folder / "1.netwright");
+  write_file(folder / "1.lock", "");
+  std::atomic<int> n_seen = 0;
+  constexpr int kLooks = 200;
+  const auto look = [&] {
+    for (int i = 0; i < kLooks; ++i) n_seen += static_cast<int>(find_leftovers(folder / "").size());
+  };
+  std::thread other(look);
+  look();
+  other.join();
+  EXPECT_EQ(n_seen, 2 * kLooks);
+  const std::optional<AutosaveSlot> slot = AutosaveSlot::take(folder / "1.netwright");
+  ASSERT_TRUE(slot);
+  EXPECT_TRUE(find_leftovers(folder / "").empty()) << "somebody has it now";
+}
+
+TEST(Autosave, ALeftoverKnowsWhetherItsFileWasSavedLater) {
+  const TemporaryFolder folder;
+  const fs::path own = folder / "work.netwright";
+  const Project project = testing::project_of(shapes::cube());
+  save_project(project, own);
+  save_project(project, folder / "1.netwright", own);
+  const auto is_outdated_when_saved_after = [&](std::chrono::seconds later) {
+    fs::last_write_time(own, fs::last_write_time(folder / "1.netwright") + later);
+    const std::vector<Leftover> all = find_leftovers(folder / "");
+    const auto one = std::find_if(all.begin(), all.end(),
+                                  [](const Leftover& it) { return it.file.filename() == "1.netwright"; });
+    return one != all.end() && one->is_outdated;
+  };
+  EXPECT_FALSE(is_outdated_when_saved_after(std::chrono::seconds(-60)));
+  EXPECT_TRUE(is_outdated_when_saved_after(std::chrono::seconds(60)));
 }
 
 TEST(Autosave, ALeftoverThatCannotBeReadIsLeftAlone) {

@@ -125,7 +125,7 @@ void Dialogs::draw_leftover(UiContext& context, const Leftover& leftover, std::s
                                                   : leftover.outline.belongs_to.string());
   note_widget(ui, name + "/name");
   line(32);
-  text_muted(ui, "kept " + when_saved(leftover));
+  text_muted(ui, "kept " + when_saved(leftover) + (leftover.is_outdated ? ", its file is newer" : ""));
   line(54);
   text_muted(ui, facts_of(leftover));
   ImGui::SetCursorPos(ImVec2(left + room, top + look.px(24)));

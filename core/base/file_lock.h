@@ -13,6 +13,8 @@ class FileLock {
   /// Makes the file where it is missing. Nothing when another holder (in this process or any other) is alive,
   /// or when the file cannot be made.
   static std::optional<FileLock> try_take(const std::filesystem::path& path);
+  /// Whether somebody holds it. Several may ask at once: asking never looks like holding to another who asks.
+  static bool is_held(const std::filesystem::path& path);
 
   FileLock(FileLock&& other) noexcept
       : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}

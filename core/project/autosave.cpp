@@ -24,6 +24,15 @@ void remove_drafts(const fs::path& file) {
   }
 }
 
+Leftover read_leftover(const fs::path& file) {
+  ProjectGlance glance = glance_at_project(file);
+  std::error_code ignored;
+  const fs::file_time_type saved_at = fs::last_write_time(file, ignored);
+  std::error_code missing;
+  const fs::file_time_type own = fs::last_write_time(glance.outline.belongs_to, missing);
+  return {file, std::move(glance.outline), std::move(glance.thumbnail), saved_at, !missing && own > saved_at};
+}
+
 }  // namespace
 
 AutosaveSlot AutosaveSlot::make(const fs::path& folder) {
@@ -67,12 +76,10 @@ std::vector<Leftover> find_leftovers(const fs::path& folder) {
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     const fs::path& file = it->path();
     if (!has_project_name(file)) continue;
-    if (!AutosaveSlot::take(file)) continue;  // and at once let go again
-    std::error_code ignored;
+    // Not by taking it: another editor that starts at the same moment would not see it.
+    if (FileLock::is_held(lock_of(file))) continue;
     try {
-      ProjectGlance glance = glance_at_project(file);
-      all.push_back(
-          {file, std::move(glance.outline), std::move(glance.thumbnail), fs::last_write_time(file, ignored)});
+      all.push_back(read_leftover(file));
     } catch (const Error&) {
       continue;
     }

@@ -46,6 +46,7 @@ struct Leftover {
   ProjectOutline outline;
   Image thumbnail;
   std::filesystem::file_time_type saved_at;
+  bool is_outdated = false;  ///< the file it belongs to was saved after it was kept
 };
 
 /// Newest first. Files that cannot be read are left where they are.
