@@ -1,6 +1,7 @@
 // Pins in the session: kept by every run, told when they contradict, one undo step each.
 #include <gtest/gtest.h>
 
+#include "tests/pins.h"
 #include "tests/session_support.h"
 
 namespace netwright {
@@ -113,6 +114,50 @@ TEST_F(SessionPins, SimplifyingCarriesPinsToTheNearestEdgesAndUndoBringsThemBack
   EXPECT_TRUE(session_.keeps_pins());
   while (session_.can_undo() && mesh().n_faces() <= 400) session_.undo();
   EXPECT_EQ(session_.project().pins, pins);
+}
+
+TEST_F(SessionPins, SimplifyingDownAndBackUpInOneDragBringsEveryPinBack) {
+  open_and_unfold(ball());
+  Random random(3);
+  const Constraints pins = random_pins(*session_.project().dual, 4, random);
+  session_.set_pins(pins, "pin");
+  session_.unfold_from_here();
+  ASSERT_TRUE(frames_until_idle());
+  const Project before = session_.project();
+  ASSERT_TRUE(before.tree);
+  bool has_lost_some = false;
+  for (const int faces : {200, 60, 24, 100, 0}) {
+    session_.simplify_to(faces, true);
+    ASSERT_TRUE(frames_until([&] { return !session_.is_making() && session_.recipe().faces == faces; }));
+    const Constraints& now = session_.project().pins;
+    has_lost_some |= now.must_fold.size() + now.must_cut.size() < 8;
+  }
+  session_.simplify_to(0, false);
+  ASSERT_TRUE(frames_until_idle());
+  EXPECT_TRUE(has_lost_some) << "a few faces have no place for all pins";
+  EXPECT_EQ(session_.project().pins, before.pins);
+  EXPECT_EQ(session_.project().tree, before.tree) << "nor has the net any reason to be another one";
+  EXPECT_TRUE(session_.shown()->is_proved);
+  session_.undo();
+  EXPECT_EQ(session_.project(), before) << "the whole drag is one step";
+}
+
+TEST_F(SessionPins, AStopOfADragHasThePinsThatTheFirstMeshWouldGiveIt) {
+  open(ball());
+  Random random(5);
+  session_.set_pins(random_pins(*session_.project().dual, 4, random), "pin");
+  const auto pins_at = [&](const std::vector<int>& stops) {
+    for (const int faces : stops) {
+      session_.simplify_to(faces, true);
+      EXPECT_TRUE(frames_until([&] { return !session_.is_making() && session_.recipe().faces == faces; }));
+    }
+    const Constraints pins = session_.project().pins;
+    session_.simplify_to(stops.back(), false);
+    EXPECT_TRUE(frames_until_idle());
+    while (session_.recipe().faces > 0) session_.undo();
+    return pins;
+  };
+  EXPECT_EQ(pins_at({240, 120, 40, 160}), pins_at({160}));
 }
 
 }  // namespace

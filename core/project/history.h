@@ -31,6 +31,8 @@ class History {
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
   [[nodiscard]] std::size_t position() const { return present_; }
   [[nodiscard]] const std::string& label(std::size_t position) const { return entries_[position].label; }
+  /// The state itself.
+  [[nodiscard]] const Project& at(std::size_t position) const { return entries_[position].project; }
   /// Does any state have this mesh?
   [[nodiscard]] bool holds(const std::shared_ptr<const DualGraph>& dual) const;
   void go_to(std::size_t position) { present_ = std::min(position, entries_.size() - 1); }

@@ -121,7 +121,8 @@ struct Session::Impl {
   void stop_measuring();
   void measure_when_idle();
   void part_net_from_step();
-  void derive_again();  ///< after every change of the project
+  bool take_mesh(const std::shared_ptr<const MadeModel>& made);  ///< true when a drag is back where it began
+  void derive_again();                                           ///< after every change of the project
   void export_to(const std::filesystem::path& path, const Project& source,
                  std::shared_ptr<const Derived> before);
 
@@ -170,6 +171,7 @@ struct Session::Impl {
   Making making;
   std::optional<Making> queued;  ///< the slider's latest wish; the mesh in hand is shown first
   bool is_dragging = false;      ///< the simplify slider is held
+  std::size_t drag_step = 0;     ///< where in the history the drag's one step is
   bool has_net_in_step =
       false;  ///< a net was found meanwhile; when the hand lets go it gets its own undo step
   std::shared_ptr<Chore<Derived>> deriving;

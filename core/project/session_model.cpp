@@ -186,6 +186,31 @@ bool Session::Impl::take_measured() {
   return true;
 }
 
+// All meshes of a drag come from the project as it was when the hand took hold: carried from mesh to mesh,
+// pins would wander, and what a coarse mesh has no place for would not come back with the finer one.
+bool Session::Impl::take_mesh(const std::shared_ptr<const MadeModel>& made) {
+  const bool continues = making.continues_step && history.position() == drag_step && drag_step > 0;
+  const Project& before = continues ? history.at(drag_step - 1) : project();
+  std::shared_ptr<const MadeModel> model = made;
+  const bool is_back = continues && before.recipe == making.recipe;
+  if (is_back) {  // the very mesh, so that its net and its runs are there again
+    auto same = std::make_shared<MadeModel>(*made);
+    same->dual = before.dual;
+    model = std::move(same);
+  }
+  const CarriedPins carried = carry_pins(before.pins, before.dual->mesh(), model->dual->mesh());
+  if (carried.n_lost > 0) say(Message::Kind::Notice, carried.sentence());
+  Project next = remake(before, making.recipe, model);
+  if (continues) {
+    history.amend(std::move(next));
+  } else {
+    history.push(making.label, std::move(next));
+    making.continues_step = true;
+    drag_step = history.position();
+  }
+  return is_back;
+}
+
 bool Session::Impl::take_made() {
   const std::shared_ptr<const Made> made = chore_making ? chore_making->result.take() : nullptr;
   if (!made) return false;
@@ -202,22 +227,15 @@ bool Session::Impl::take_made() {
   const bool was_running = run != nullptr;
   end_replay();
   discard_run();
-  const CarriedPins carried = carry_pins(project().pins, project().dual->mesh(), made->model->dual->mesh());
-  if (carried.n_lost > 0) say(Message::Kind::Notice, carried.sentence());
-  Project next = remake(project(), making.recipe, made->model);
-  if (making.continues_step) {
-    history.amend(std::move(next));
-  } else {
-    history.push(making.label, std::move(next));
-    making.continues_step = true;
-  }
+  const bool is_back = take_mesh(made->model);
   leave_view();
   runs.keep([this](const std::shared_ptr<const DualGraph>& dual) { return history.holds(dual); });
   derived = nullptr;
   drop_result();
   derive_again();
   has_net_in_step = false;
-  if (making.unfolds || was_running) start_run(SearchRun::Start::Running);
+  const bool has_net_again = is_back && project().tree;
+  if ((making.unfolds || was_running) && !has_net_again) start_run(SearchRun::Start::Running);
   if (queued) {
     Making latest = *std::exchange(queued, std::nullopt);
     latest.continues_step = true;
