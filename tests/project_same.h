@@ -95,6 +95,7 @@ inline void expect_same(const Project& a, const Project& b) {
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.paper, b.paper);
   EXPECT_EQ(a.size, b.size);
+  EXPECT_EQ(a.placed, b.placed);
 }
 
 }  // namespace netwright::testing

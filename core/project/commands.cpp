@@ -20,6 +20,8 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
   Recipe turned_only = project.recipe;
   turned_only.up = recipe.up;
   if (turned_only == recipe) {
+    // Another side up is another height, and with it another scale.
+    if (project.size.kind == PrintSize::Kind::Height) project.placed = {};
     project.recipe = recipe;
     project.dual = made->dual;
     project.made = std::move(made);
@@ -37,6 +39,7 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
   project.tree = nullptr;
   project.run.reset();
   project.edits = {};
+  project.placed = {};
   return project;
 }
 
@@ -59,6 +62,7 @@ Project accept_tree(Project project, UnfoldTree tree, const RunSummary& run) {
   project.tree = std::make_shared<const UnfoldTree>(std::move(tree));
   project.run = run;
   project.edits = {};
+  project.placed = {};
   return project;
 }
 
@@ -67,6 +71,9 @@ Project edit_by_hand(Project project, const HandEdit& edit) {
   for (const EdgeId e : edit.joined) set_pin(project.edits, e, EdgePin::MustFold);
   UnfoldTree tree = edit.tree;
   if (project.pins.root.is_valid()) tree.reroot(project.dual->mesh(), project.pins.root);
+  if (!project.placed.is_automatic())
+    project.placed = carry_places(project.placed, layout(project.dual, *project.tree),
+                                  layout(project.dual, tree), edit.moved);
   project.tree = std::make_shared<const UnfoldTree>(std::move(tree));
   if (!project.run) project.run.emplace();
   project.run->is_proved = false;
@@ -80,11 +87,18 @@ Project set_seed(Project project, std::uint64_t seed) {
 
 Project set_paper(Project project, const PaperSetup& paper) {
   project.paper = paper;
+  project.placed = {};
   return project;
 }
 
 Project set_size(Project project, const PrintSize& size) {
   project.size = size;
+  project.placed = {};
+  return project;
+}
+
+Project place_pieces(Project project, const HandLayout& placed) {
+  project.placed = placed;
   return project;
 }
 

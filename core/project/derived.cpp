@@ -31,20 +31,30 @@ std::shared_ptr<const ShownNet> derive_net(const Project& project, const Derived
   return std::make_shared<const ShownNet>(std::move(shown));
 }
 
+PageLayout pages_of(const Project& project, const Net& net) {
+  if (!project.placed.is_automatic())
+    if (std::optional<PageLayout> layout = lay_out(net, project.paper, project.placed)) return *layout;
+  return arrange(net, project.paper, project.size);
+}
+
 void derive_sheets(Derived& derived, const Derived* before) {
   const Project& project = derived.source;
   const bool is_same_run = before && before->source.run == project.run && before->shown == derived.shown;
-  if (is_same_run && before->source.paper == project.paper && before->source.size == project.size) {
+  if (is_same_run && before->source.paper == project.paper && before->source.size == project.size &&
+      before->source.placed == project.placed) {
     derived.pages = before->pages;
+    derived.misplaced = before->misplaced;
     derived.sheets = before->sheets;
     derived.fault = before->fault;
     return;
   }
   try {
     const Net& net = derived.shown->net;
-    derived.pages = std::make_shared<const PageLayout>(arrange(net, project.paper, project.size));
-    derived.sheets =
-        std::make_shared<const std::vector<Sheet>>(draw_sheets(net, *derived.pages, sheet_info(project)));
+    derived.pages = std::make_shared<const PageLayout>(pages_of(project, net));
+    if (!project.placed.is_automatic()) derived.misplaced = find_misplaced(net, *derived.pages);
+    if (derived.shown->is_proved && derived.misplaced.is_nothing())
+      derived.sheets =
+          std::make_shared<const std::vector<Sheet>>(draw_sheets(net, *derived.pages, sheet_info(project)));
   } catch (const Error& error) {
     derived.pages = nullptr;
     derived.fault = error.what();
@@ -60,7 +70,8 @@ std::shared_ptr<const Derived> derive(const Project& project, const std::shared_
   if (progress.is_cancelled()) return derived;
   derived->shown = derive_net(project, before.get(), version);
   if (progress.is_cancelled()) return derived;
-  if (derived->shown && derived->shown->is_proved) derive_sheets(*derived, before.get());
+  const bool has_pages = derived->shown && (derived->shown->is_proved || !project.edits.are_free());
+  if (has_pages) derive_sheets(*derived, before.get());
   return derived;
 }
 

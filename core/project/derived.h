@@ -14,9 +14,12 @@
 namespace netwright {
 
 struct Derived {
-  Project source;                           ///< what it was made from
-  std::shared_ptr<const ShownNet> shown;    ///< null without a tree
-  std::shared_ptr<const PageLayout> pages;  ///< this and the sheets: null unless the net is proved
+  Project source;                         ///< what it was made from
+  std::shared_ptr<const ShownNet> shown;  ///< null without a tree
+  /// Null unless the net is proved or edited by hand.
+  std::shared_ptr<const PageLayout> pages;
+  Misplaced misplaced;  ///< on these pages, where pieces were put by hand
+  /// Null unless the net is proved and nothing is misplaced.
   std::shared_ptr<const std::vector<Sheet>> sheets;
   std::string fault;  ///< why there are no sheets (margins that leave no room …), one sentence; else empty
 };

@@ -12,6 +12,7 @@
 #include "core/mesh/dual_graph.h"
 #include "core/project/make_model.h"
 #include "core/sheet/pages.h"
+#include "core/sheet/placing.h"
 #include "core/solve/constraints.h"
 #include "core/unfold/unfold_tree.h"
 
@@ -41,6 +42,7 @@ struct Project {
   std::uint64_t seed = 0;
   PaperSetup paper;
   PrintSize size;
+  HandLayout placed;  ///< where the user put the pieces of the tree on this paper; empty without a tree
   bool operator==(const Project&) const =
       default;  ///< shared parts count as equal when they are the same object
 };

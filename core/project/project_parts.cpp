@@ -177,6 +177,28 @@ Json run_json(const RunSummary& run) {
   return json;
 }
 
+/// Per piece a face, its canvas, and the turn of the face on it.
+Json placed_json(const HandLayout& placed) {
+  Json canvases{Json::Array{}};
+  for (const HandLayout::Canvas& canvas : placed.canvases) canvases.add(canvas.columns).add(canvas.rows);
+  Json faces{Json::Array{}};
+  Json on{Json::Array{}};
+  Json turns{Json::Array{}};
+  for (const HandLayout::Place& place : placed.places) {
+    faces.add(place.face.value);
+    on.add(place.canvas);
+    turns.add(place.turn.cos).add(place.turn.sin).add(place.turn.x).add(place.turn.y);
+  }
+  Json json;
+  json.set("landscape", placed.is_landscape);
+  json.set("scale", placed.scale);
+  json.set("canvases", std::move(canvases));
+  json.set("faces", std::move(faces));
+  json.set("on", std::move(on));
+  json.set("turns", std::move(turns));
+  return json;
+}
+
 Json project_json(const Project& project, const std::filesystem::path& belongs_to, Pictures& pictures) {
   const MadeModel& made = *project.made;
   const Mesh& mesh = project.dual->mesh();
@@ -210,6 +232,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   size.set("kind", word(kSizes, project.size.kind));
   size.set("height_mm", project.size.height_mm);
   json.set("size", std::move(size));
+  if (!project.placed.is_automatic()) json.set("placed", placed_json(project.placed));
   return json;
 }
 

@@ -3,6 +3,7 @@
 #include "core/project/project_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -23,6 +24,7 @@ constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 constexpr int kMostInt = std::numeric_limits<int>::max();
 constexpr double kMostNumber = std::numeric_limits<double>::max();
 constexpr double kMostMillimetres = 1e6;
+constexpr double kLeastScale = 1e-9;
 
 /// Reads one project. Its members are filled in the order in which they depend on each other.
 class Reader {
@@ -51,6 +53,7 @@ class Reader {
     static_cast<void>(fields.object("run"));
     project.paper = read_paper(fields.object("paper"));
     project.size = read_size(fields.object("size"));
+    project.placed = read_placed(project, fields.object("placed"));
     fields.finish();
     return stored;
   }
@@ -325,6 +328,32 @@ class Reader {
     size.height_mm = fields.number("height_mm", 0, kMostMillimetres, size.height_mm);
     fields.finish();
     return size;
+  }
+
+  HandLayout read_placed(const Project& project, const Json* json) const {
+    JsonFields fields(json, file_, "the placed pieces");
+    const int last_face = static_cast<int>(project.dual->mesh().n_faces()) - 1;
+    HandLayout placed;
+    placed.is_landscape = fields.flag("landscape", false);
+    placed.scale = fields.number("scale", kLeastScale, kMostMillimetres, placed.scale);
+    const std::vector<int> canvases = fields.integers("canvases", 1, kMostTilesAlong);
+    const std::vector<int> faces = fields.integers("faces", 0, last_face);
+    const std::vector<int> on = fields.integers("on", 0, static_cast<int>(canvases.size() / 2) - 1);
+    const std::vector<double> turns = fields.numbers("turns", -kMostMillimetres, kMostMillimetres);
+    fields.finish();
+    if (canvases.size() % 2 != 0 || on.size() != faces.size() || turns.size() != 4 * faces.size())
+      fields.refuse("faces", "do not match their places");
+    if (!faces.empty() && !project.tree) fields.refuse("faces", "are of no net");
+    for (std::size_t i = 0; i < canvases.size(); i += 2)
+      placed.canvases.push_back({canvases[i], canvases[i + 1]});
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Rigid2 turn{turns[4 * i], turns[4 * i + 1], turns[4 * i + 2], turns[4 * i + 3]};
+      // Anything but a turn would print the piece at another size.
+      constexpr double kRounding = 1e-9;
+      if (std::abs(std::hypot(turn.cos, turn.sin) - 1) > kRounding) fields.refuse("turns", "are no turns");
+      placed.places.push_back({FaceId(faces[i]), on[i], turn});
+    }
+    return placed;
   }
 
   const ProjectParts& parts_;

@@ -315,15 +315,15 @@ std::shared_ptr<const std::vector<Sheet>> Session::sheets() const {
   return impl_->derived->sheets;
 }
 
-std::shared_ptr<const PageLayout> Session::pages() const {
-  return sheets() && impl_->derived->shown == shown() ? impl_->derived->pages : nullptr;
-}
-
 void Session::export_to(const std::filesystem::path& path) {
   if (impl_->run || impl_->is_unfinished || !project().tree) {
     impl_->say(Message::Kind::Notice,
                impl_->run ? "The search is still going: the net can be saved when it is done."
                           : "There is no net without overlaps yet: unfold the model first, then save.");
+    return;
+  }
+  if (const Misplaced* const wrong = misplaced()) {
+    impl_->say(Message::Kind::Error, misplaced_sentence(*wrong));
     return;
   }
   impl_->export_to(path, project(), impl_->derived);

@@ -204,9 +204,19 @@ class Session {
   [[nodiscard]] std::size_t history_position() const;
   void go_to_step(std::size_t position);
 
-  // Printing. Sheets exist only for a proved net; null otherwise.
+  // Where the pieces lie on the pages.
+  /// One undo step, `label` as in "Undo <label>"; for the net of shown(), when it is on pages().
+  void place_pieces(const HandLayout& placed, const std::string& label);
+  /// Back to the layout that is made by itself; one undo step.
+  void rearrange_pieces();
+  [[nodiscard]] bool has_placed_pieces() const { return !project().placed.is_automatic(); }
+  /// What of pages() cannot be printed as it lies; null when nothing is wrong or there are no pages.
+  [[nodiscard]] const Misplaced* misplaced() const;
+
+  // Printing. Sheets exist only for a proved net on which nothing is misplaced; null otherwise.
   [[nodiscard]] std::shared_ptr<const std::vector<Sheet>> sheets() const;
-  /// How the net of shown() lies on its pages; null while there are no sheets or another net is shown.
+  /// How the net of shown() lies on its pages, be it proved or edited by hand; null while there are none or
+  /// another net is shown.
   [[nodiscard]] std::shared_ptr<const PageLayout> pages() const;
   /// Writes by the path's extension on the chores lane; success or failure arrives as a message.
   void export_to(const std::filesystem::path& path);

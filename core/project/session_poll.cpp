@@ -65,6 +65,12 @@ std::string export_news(const std::vector<std::filesystem::path>& files, std::si
   return "Saved " + first + ", " + counted(static_cast<std::int64_t>(n_pages), "page", "pages");
 }
 
+std::string why_no_sheets(const Derived& derived) {
+  if (!derived.fault.empty()) return derived.fault;
+  if (!derived.misplaced.is_nothing()) return misplaced_sentence(derived.misplaced);
+  return "The net is not one proved piece yet: join its pieces or solve the rest, then save.";
+}
+
 }  // namespace
 
 void Session::Impl::derive_again() {
@@ -126,7 +132,7 @@ void Session::Impl::export_to(const std::filesystem::path& path, const Project& 
         auto news = std::make_shared<Message>();
         try {
           const std::shared_ptr<const Derived> now = derive(source, before, 0, progress);
-          if (!now->pages) throw Error(ErrorKind::Usage, now->fault);
+          if (!now->sheets) throw Error(ErrorKind::Usage, why_no_sheets(*now));
           const auto files = write_drawing(path, now->shown->net, *now->pages, sheet_info(source));
           *news = {Message::Kind::Good, export_news(files, now->pages->pages.size()), 0};
         } catch (...) {

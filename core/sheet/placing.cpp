@@ -1,0 +1,215 @@
+// A piece's motion is that of the face its place belongs to: from there it follows how the whole piece lies.
+#include "core/sheet/placing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/counted.h"
+#include "core/sheet/outline.h"
+#include "core/sheet/print_style.h"
+#include "core/sheet/tiles.h"
+#include "core/unfold/overlap.h"
+
+namespace netwright {
+
+namespace {
+
+/// Pieces may touch, and reach this far over an edge or into each other: below what a printer shows.
+constexpr double kTouch_mm = 0.02;
+
+/// The placement with its shift in millimetres.
+Rigid2 in_mm(Rigid2 placement, double scale) {
+  placement.x *= scale;
+  placement.y *= scale;
+  return placement;
+}
+
+std::optional<PageFrame> frame_of(const PaperSetup& paper, bool is_landscape) {
+  for (const PageFrame& frame : possible_frames(paper))
+    if (frame.is_landscape() == is_landscape) return frame;
+  return std::nullopt;
+}
+
+/// How the pieces lie; nothing unless every piece has exactly one place.
+std::optional<std::vector<PageLayout::Placement>> placements(const Net& net, const HandLayout& placed) {
+  std::vector<PageLayout::Placement> pieces(static_cast<std::size_t>(net.n_pieces), {-1, {}});
+  if (placed.places.size() != pieces.size()) return std::nullopt;
+  for (const HandLayout::Place& place : placed.places) {
+    const bool is_known = place.face.is_valid() && place.face.index() < net.placement.size() &&
+                          place.canvas >= 0 && place.canvas < static_cast<int>(placed.canvases.size());
+    if (!is_known) return std::nullopt;
+    PageLayout::Placement& piece = pieces[static_cast<std::size_t>(net.piece[place.face])];
+    if (piece.canvas >= 0) return std::nullopt;
+    piece = {place.canvas, place.turn * in_mm(net.placement[place.face], placed.scale).inverse()};
+  }
+  return pieces;
+}
+
+using Outlines = std::vector<std::vector<Segment>>;
+
+/// What lies on each canvas.
+Outlines outlines_on(const Net& net, const PageLayout& layout) {
+  Outlines outlines(layout.canvases.size());
+  for (const OutlineLoop& loop : outline_loops(net)) {
+    const auto canvas = static_cast<std::size_t>(layout.pieces[static_cast<std::size_t>(loop.piece)].canvas);
+    for (std::size_t i = 0; i < loop.sides.size(); ++i)
+      outlines[canvas].emplace_back(
+          layout.on_canvas(loop.piece, net.corner(loop.sides[i])),
+          layout.on_canvas(loop.piece, net.corner(loop.sides[(i + 1) % loop.sides.size()])));
+  }
+  return outlines;
+}
+
+void add_canvases(PageLayout& layout, const HandLayout& placed) {
+  int n_lettered_rows = 0;
+  for (const HandLayout::Canvas& canvas : placed.canvases) {
+    const TileGrid grid{layout.frame.net.size(), layout.overlap_mm, canvas.columns, canvas.rows};
+    const bool is_tiled = canvas.columns * canvas.rows > 1;
+    const glm::dvec2 size = is_tiled ? grid.size() : layout.frame.net.size();
+    layout.canvases.push_back({size.x, size.y, canvas.columns, canvas.rows, is_tiled ? n_lettered_rows : 0});
+    if (is_tiled) n_lettered_rows += canvas.rows;
+  }
+}
+
+void add_pages(PageLayout& layout, const Outlines& outlines) {
+  for (std::size_t c = 0; c < outlines.size(); ++c) {
+    if (outlines[c].empty()) continue;
+    const PageLayout::Canvas& canvas = layout.canvases[c];
+    if (!canvas.is_tiled()) {
+      layout.pages.push_back({static_cast<int>(c), 0, 0, {0, 0}, ""});
+      continue;
+    }
+    const TileGrid grid{layout.frame.net.size(), layout.overlap_mm, canvas.columns, canvas.rows};
+    const std::vector<char> is_needed = needed_tiles(grid, outlines[c]);
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column)
+        if (is_needed[grid.index(column, row)] != 0)
+          layout.pages.push_back({static_cast<int>(c), column, row, grid.origin(column, row),
+                                  tile_tag(canvas.first_row_letter + row, column)});
+  }
+}
+
+/// The net as it lies on its canvases, in mm, with canvases in the place of pieces.
+Net on_canvases(Net net, const PageLayout& layout) {
+  for (const FaceId f : net.mesh().faces()) {
+    const PageLayout::Placement& piece = layout.pieces[static_cast<std::size_t>(net.piece[f])];
+    Rigid2 placement = piece.turn * in_mm(net.placement[f], layout.scale);
+    placement.x /= layout.scale;
+    placement.y /= layout.scale;
+    net.placement[f] = placement;
+    net.piece[f] = piece.canvas;
+  }
+  net.n_pieces = static_cast<int>(layout.canvases.size());
+  return net;
+}
+
+bool reaches_over(const Net& net, const PageLayout& layout, FaceId f) {
+  const int piece = net.piece[f];
+  const auto& canvas =
+      layout.canvases[static_cast<std::size_t>(layout.pieces[static_cast<std::size_t>(piece)].canvas)];
+  for (const HalfedgeId h : net.mesh().halfedges(f)) {
+    const glm::dvec2 p = layout.on_canvas(piece, net.corner(h));
+    if (p.x < -kTouch_mm || p.y < -kTouch_mm || p.x > canvas.width_mm + kTouch_mm ||
+        p.y > canvas.height_mm + kTouch_mm)
+      return true;
+  }
+  return false;
+}
+
+template <class Value>
+void make_unique(std::vector<Value>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace
+
+HandLayout as_placed(const Net& net, const PageLayout& layout) {
+  HandLayout placed;
+  placed.is_landscape = layout.frame.is_landscape();
+  placed.scale = layout.scale;
+  for (const PageLayout::Canvas& canvas : layout.canvases)
+    placed.canvases.push_back({canvas.columns, canvas.rows});
+  for (const FaceId root : net.tree.roots()) {
+    const PageLayout::Placement& piece = layout.pieces[static_cast<std::size_t>(net.piece[root])];
+    placed.places.push_back({root, piece.canvas, piece.turn * in_mm(net.placement[root], layout.scale)});
+  }
+  return placed;
+}
+
+std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed) {
+  const std::optional<PageFrame> frame = frame_of(paper, placed.is_landscape);
+  auto pieces = placements(net, placed);
+  if (!frame || !pieces) return std::nullopt;
+  PageLayout layout;
+  layout.scale = placed.scale;
+  layout.model_height_mm = placed.scale * net.mesh().height();
+  layout.frame = *frame;
+  layout.overlap_mm = print_style::kTileOverlap;
+  layout.pieces = std::move(*pieces);
+  add_canvases(layout, placed);
+  add_pages(layout, outlines_on(net, layout));
+  return layout;
+}
+
+HandLayout carry_places(const HandLayout& placed, const Net& before, const Net& after,
+                        const std::vector<FaceId>& moved) {
+  const auto pieces = placements(before, placed);
+  if (!pieces) return {};
+  std::vector<char> is_moved(after.placement.size(), 0);
+  for (const FaceId f : moved) is_moved[f.index()] = 1;
+  // What a place belongs to speaks for its piece; else any face that stays; else any face at all.
+  std::vector<FaceId> speaker(static_cast<std::size_t>(after.n_pieces));
+  const auto propose = [&](FaceId f) {
+    FaceId& chosen = speaker[static_cast<std::size_t>(after.piece[f])];
+    const bool is_better = !chosen.is_valid() || (is_moved[chosen.index()] != 0 && is_moved[f.index()] == 0);
+    if (is_better) chosen = f;
+  };
+  for (const HandLayout::Place& place : placed.places) propose(place.face);
+  for (const FaceId f : after.mesh().faces()) propose(f);
+  HandLayout carried = placed;
+  carried.places.clear();
+  for (const FaceId f : speaker) {
+    const PageLayout::Placement& piece = (*pieces)[static_cast<std::size_t>(before.piece[f])];
+    carried.places.push_back({f, piece.canvas, piece.turn * in_mm(before.placement[f], placed.scale)});
+  }
+  return carried;
+}
+
+Misplaced find_misplaced(const Net& net, const PageLayout& layout) {
+  Misplaced misplaced;
+  for (const FaceId f : net.mesh().faces()) {
+    if (!reaches_over(net, layout, f)) continue;
+    misplaced.over_edge.push_back(net.piece[f]);
+    misplaced.faces.push_back(f);
+  }
+  if (net.n_pieces > 1) {
+    const double depth = kTouch_mm / (layout.scale * net.mesh().mean_edge());
+    for (const Overlap& overlap : find_overlaps(on_canvases(net, layout), depth)) {
+      const auto [low, high] = std::minmax(net.piece[overlap.first], net.piece[overlap.second]);
+      if (low == high) continue;
+      misplaced.overlapping.emplace_back(low, high);
+      misplaced.faces.insert(misplaced.faces.end(), {overlap.first, overlap.second});
+    }
+  }
+  make_unique(misplaced.over_edge);
+  make_unique(misplaced.overlapping);
+  make_unique(misplaced.faces);
+  return misplaced;
+}
+
+std::string misplaced_sentence(const Misplaced& misplaced) {
+  if (misplaced.is_nothing()) return {};
+  const auto over = static_cast<std::int64_t>(misplaced.over_edge.size());
+  const auto pairs = static_cast<std::int64_t>(misplaced.overlapping.size());
+  std::string text;
+  if (pairs > 0) text = pairs == 1 ? "Two pieces overlap" : "Pieces overlap in " + grouped(pairs) + " places";
+  if (over > 0) {
+    text += text.empty() ? (over == 1 ? "A piece reaches" : grouped(over) + " pieces reach")
+                         : (over == 1 ? " and one reaches" : " and " + grouped(over) + " reach");
+    text += " over the edge of the page";
+  }
+  return text + ": move what is marked red (A), or re-arrange all (Shift+A).";
+}
+
+}  // namespace netwright
