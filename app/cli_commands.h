@@ -1,4 +1,4 @@
-// The four commands. Each returns the program's exit status and throws Error for what ends with status 1.
+// The five commands. Each returns the program's exit status and throws Error for what ends with status 1.
 #pragma once
 
 #include "app/cli_options.h"
@@ -8,6 +8,9 @@ namespace netwright {
 /// 0 one proved net per component, written; 2 not within the limits; 130 cancelled. Writes nothing but with
 /// 0.
 int run_unfold(const UnfoldCommand& command);
+
+/// As run_unfold().
+int run_replace(const ReplaceCommand& command);
 
 /// 0 a net, 2 not one.
 int run_verify(const VerifyCommand& command);

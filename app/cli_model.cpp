@@ -61,9 +61,7 @@ CliModel read_stored(UnfoldCommand& command, Progress& progress) {
   if (given.seed) project.seed = static_cast<std::uint64_t>(command.seed);
   if (given.paper) project.paper = command.paper;
   if (given.size) project.size = command.size;
-  command.seed = static_cast<std::int64_t>(project.seed);
-  command.paper = project.paper;
-  command.size = project.size;
+  take_settings(command, project);
   if (given.recipe || given.pins || given.seed || given.search) return model;
   model.net = stored_net(project);
   if (model.net) {
@@ -91,6 +89,12 @@ CliModel read_cli_model(UnfoldCommand& command, Progress& progress) {
   project.paper = command.paper;
   project.size = command.size;
   return model;
+}
+
+void take_settings(UnfoldCommand& command, const Project& project) {
+  command.seed = static_cast<std::int64_t>(project.seed);
+  command.paper = project.paper;
+  command.size = project.size;
 }
 
 void write_project(const std::filesystem::path& path, const CliModel& model, const SolveResult& result,

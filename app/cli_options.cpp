@@ -19,11 +19,16 @@ namespace netwright {
 namespace {
 
 constexpr const char* kFooter =
-    "Exit status of unfold: 0 one proved net per component, 1 usage, input or output error,\n"
+    "Exit status of unfold and replace: 0 one proved net per component, 1 usage, input or output error,\n"
     "2 not within the limits, 3 proved impossible, 130 cancelled; files are written only with 0. Of verify: "
     "0 a net, 2 not one,\n"
     "1 unreadable. Of info: 0 fit to unfold, 2 needs repair, 1 unreadable. Of bench: 0 when it ran through,\n"
     "1 usage or output error, 130 cancelled.";
+
+constexpr const char* kReplaceFooter =
+    "Pins and folds go to the same faces and edges of the new version, else to the nearest ones; the search\n"
+    "starts from the folds that are left and changes only what it must. What could not be kept is told.\n"
+    "Exit status as of unfold.";
 
 constexpr const char* kBenchFooter =
     "A folder stands for its model files; a folder without any, for the folders in it that have some. Each\n"
@@ -122,6 +127,7 @@ class Reader {
     app_.require_subcommand(1);
     app_.footer(formats_help() + "\n" + kFooter);
     add_unfold();
+    add_replace();
     add_verify();
     add_info();
     add_bench();
@@ -134,10 +140,11 @@ class Reader {
       if (stop.get_exit_code() == 0) return PrintCommand{text_of(stop)};
       if (app_.get_subcommands().empty()) {
         throw Error(ErrorKind::Usage,
-                    "Say what to do: unfold, verify, info or bench; see netwright-cli --help.");
+                    "Say what to do: unfold, replace, verify, info or bench; see netwright-cli --help.");
       }
       throw Error(ErrorKind::Usage, sentence(stop.what()));
     }
+    if (replace_app_->parsed()) return replace();
     if (verify_app_->parsed()) return verify_;
     if (info_app_->parsed()) return info_;
     if (bench_app_->parsed()) return bench();
@@ -230,6 +237,34 @@ class Reader {
     app.add_flag("--fit-page", is_fit_page_, "Print as large as one page allows (this is the default)")
         ->excludes(height_);
     app.add_flag("--json", unfold_.is_json, "Print the result as one JSON object");
+  }
+
+  void add_replace() {
+    CLI::App& app = *app_.add_subcommand(
+        "replace",
+        "Put a changed version of the model in a project's place and keep its pins, net and settings");
+    replace_app_ = &app;
+    app.footer(kReplaceFooter);
+    app.add_option("PROJECT", replace_.project, "Project of the old version: .netwright")
+        ->required()
+        ->type_name("");
+    app.add_option("MODEL", replace_.unfold.model, "Model file of the new version")
+        ->required()
+        ->type_name("");
+    app.add_option("-o,--output", outputs_, output_help())
+        ->required()
+        ->type_name("OUT")
+        ->allow_extra_args(false)
+        ->take_all();
+    add_search(app, replace_.unfold, "Longest search in seconds, 0 = none");
+    app.add_flag("--repair", replace_.is_repair, "Repair the new version first, as unfold --repair does");
+    app.add_flag("--json", replace_.unfold.is_json, "Print the result as one JSON object");
+  }
+
+  ReplaceCommand replace() {
+    replace_.unfold.search = style();
+    for (const std::string& output : outputs_) replace_.unfold.outputs.emplace_back(output);
+    return replace_;
   }
 
   void add_pins(CLI::App& app) {
@@ -371,6 +406,7 @@ class Reader {
 
   CLI::App app_{"Netwright unfolds a 3-D model into one overlap-free piece of paper."};
   CLI::App* unfold_app_ = nullptr;
+  CLI::App* replace_app_ = nullptr;
   CLI::App* verify_app_ = nullptr;
   CLI::App* info_app_ = nullptr;
   CLI::App* bench_app_ = nullptr;
@@ -383,6 +419,7 @@ class Reader {
   bool is_flatten_ = false;
   bool is_split_ = false;
   UnfoldCommand unfold_;
+  ReplaceCommand replace_;
   VerifyCommand verify_;
   InfoCommand info_;
   BenchCommand bench_;

@@ -55,6 +55,13 @@ struct UnfoldCommand {
   } given;
 };
 
+/// Another version of the model in a project's place, unfolded as the project has it.
+struct ReplaceCommand {
+  std::filesystem::path project;
+  UnfoldCommand unfold;  ///< the new model, the outputs and how to search; all else is the project's
+  bool is_repair = false;
+};
+
 struct VerifyCommand {
   std::filesystem::path file;
   bool is_json = false;
@@ -80,7 +87,8 @@ struct PrintCommand {
   std::string text;
 };
 
-using Command = std::variant<PrintCommand, UnfoldCommand, VerifyCommand, InfoCommand, BenchCommand>;
+using Command =
+    std::variant<PrintCommand, UnfoldCommand, ReplaceCommand, VerifyCommand, InfoCommand, BenchCommand>;
 
 /// Throws Error(Usage) with one sentence.
 Command parse_command(int argc, const char* const* argv);

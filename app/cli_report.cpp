@@ -117,6 +117,26 @@ Json info_json(const MeshReport& report, const std::string& refusal, const InfoC
   return json;
 }
 
+void print_replaced(const ReplaceReport& report) {
+  print(report.summary);
+  for (const MeshReport::Line& line : report.lines)
+    print((line.kind == MeshReport::Line::Kind::Problem ? "  Not kept: " : "  ") + line.text);
+}
+
+Json replaced_json(const ReplaceReport& report) {
+  Json notes{Json::Array{}};
+  for (const MeshReport::Line& line : report.lines) notes.add(line.text);
+  Json json;
+  json.set("pins", report.n_pins);
+  json.set("pins_kept", report.n_kept);
+  json.set("pins_moved", report.n_moved);
+  json.set("pins_lost", report.n_lost);
+  json.set("folds", report.n_folds);
+  json.set("folds_kept", report.n_folds_kept);
+  json.set("notes", notes);
+  return json;
+}
+
 void print(const std::string& text) { std::fputs((text + "\n").c_str(), stdout); }
 
 void complain(const std::string& sentence) {

@@ -8,6 +8,7 @@
 #include "app/cli_options.h"
 #include "core/base/json.h"
 #include "core/mesh/mesh_report.h"
+#include "core/project/replace_model.h"
 #include "core/solve/solve.h"
 #include "core/unfold/verify.h"
 
@@ -29,6 +30,10 @@ std::string files_line(const std::vector<std::filesystem::path>& files, const Pa
                        const UnfoldCommand& command);
 /// Why there is no net, and what to try.
 std::string unsolved_sentence(const Mesh& mesh, const SolveResult& result, const UnfoldCommand& command);
+
+/// What became of the old version's work, sentence by sentence.
+void print_replaced(const ReplaceReport& report);
+Json replaced_json(const ReplaceReport& report);
 
 Json unfold_json(const UnfoldOutcome& outcome, const UnfoldCommand& command);
 Json verify_json(const FlatNet& net, const VerifyReport& report, const VerifyCommand& command);

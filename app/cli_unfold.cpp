@@ -8,8 +8,10 @@
 #include "app/cli_commands.h"
 #include "app/cli_model.h"
 #include "app/cli_report.h"
+#include "app/cli_search.h"
 #include "app/cli_watch.h"
 #include "core/base/error.h"
+#include "core/project/commands.h"
 #include "core/project/project_file.h"
 #include "core/sheet/page_frame.h"
 #include "core/sheet/write.h"
@@ -54,13 +56,16 @@ void check_output(const fs::path& path) {
   }
 }
 
-SolveOptions solve_options(const UnfoldCommand& command, const Project& project) {
+SolveOptions solve_options(const UnfoldCommand& command, const CliModel& model) {
+  const Project& project = model.project;
   SolveOptions options;
   options.seed = static_cast<std::uint64_t>(command.seed);
   options.streams = command.streams;
   options.threads = command.threads;
   options.search = command.search;
-  options.pins = project.pins;
+  options.pins = model.start ? pins_with_edits(project) : project.pins;
+  options.from = model.start;
+  options.stays_near = model.start != nullptr;
   return options;
 }
 
@@ -110,20 +115,16 @@ void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, co
 
 }  // namespace
 
-int run_unfold(const UnfoldCommand& asked) {
-  UnfoldCommand command = asked;
-  const double start = now_seconds();
+void check_outputs(const UnfoldCommand& command) {
   for (const fs::path& output : command.outputs) check_output(output);
-  static_cast<void>(page_frame(command.paper));  // refuses unknown paper
-  const Interrupts interrupts;
-  CliModel model;
-  Watched watched =
-      run_watched(interrupts, [&](Progress& progress) { model = read_cli_model(command, progress); });
-  if (watched.was_interrupted) return kCancelled;
+}
+
+int search_and_write(const UnfoldCommand& command, const CliModel& model, const Interrupts& interrupts,
+                     double start) {
   for (const std::string& notice : model.notices) complain("note: " + notice);
 
   const Mesh& mesh = model.project.dual->mesh();
-  const SolveOptions options = solve_options(command, model.project);
+  const SolveOptions options = solve_options(command, model);
   SolveResult result;
   const double search_start = now_seconds();
   if (model.net) {
@@ -131,20 +132,22 @@ int run_unfold(const UnfoldCommand& asked) {
   } else {
     ProgressLine line;
     const auto limit = command.time_limit_s > 0 ? std::optional(command.time_limit_s) : std::nullopt;
-    watched = run_watched(
+    const Watched watched = run_watched(
         interrupts,
         [&](Progress& progress) {
           result = solve(model.project.dual, options, progress, {line.snapshots(), {}});
         },
         limit, &line);
+    if (watched.was_interrupted) return kCancelled;
   }
-  if (watched.was_interrupted) return kCancelled;
   UnfoldOutcome outcome{mesh, result, now_seconds() - search_start, 0};
   Drawing drawing;
   if (result.is_proved && !command.outputs.empty()) drawing = draw(command, model, outcome);
   outcome.wall_seconds = now_seconds() - start;
   if (command.is_json) {
-    print(to_text(unfold_json(outcome, command), {.is_indented = true}));
+    Json json = unfold_json(outcome, command);
+    if (model.replaced) json.set("replaced", replaced_json(*model.replaced));
+    print(to_text(json, {.is_indented = true}));
   } else if (result.is_proved) {
     tell_success(command, outcome, drawing);
   }
@@ -155,6 +158,19 @@ int run_unfold(const UnfoldCommand& asked) {
   }
   complain(unsolved_sentence(mesh, result, command));
   return kUnsolved;
+}
+
+int run_unfold(const UnfoldCommand& asked) {
+  UnfoldCommand command = asked;
+  const double start = now_seconds();
+  check_outputs(command);
+  static_cast<void>(page_frame(command.paper));  // refuses unknown paper
+  const Interrupts interrupts;
+  CliModel model;
+  const Watched watched =
+      run_watched(interrupts, [&](Progress& progress) { model = read_cli_model(command, progress); });
+  if (watched.was_interrupted) return kCancelled;
+  return search_and_write(command, model, interrupts, start);
 }
 
 }  // namespace netwright

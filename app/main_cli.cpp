@@ -16,6 +16,7 @@ struct Runner {
     return 0;
   }
   int operator()(const UnfoldCommand& command) const { return run_unfold(command); }
+  int operator()(const ReplaceCommand& command) const { return run_replace(command); }
   int operator()(const VerifyCommand& command) const { return run_verify(command); }
   int operator()(const InfoCommand& command) const { return run_info(command); }
   int operator()(const BenchCommand& command) const { return run_bench(command); }

@@ -143,8 +143,8 @@ TEST_F(CommandLine, RefusesWhatCannotWorkBeforeItSearches) {
   expect_refusal(run({"unfold", model, "--seed", "1", "--seed", "2"}), "more than once");
   expect_refusal(run({"unfold", model, "--fast"}), "--fast");
   expect_refusal(run({"unfold"}), "MODEL");
-  expect_refusal(run({"fold", model}), "unfold, verify, info or bench");
-  expect_refusal(run({}), "unfold, verify, info or bench");
+  expect_refusal(run({"fold", model}), "unfold, replace, verify, info or bench");
+  expect_refusal(run({}), "unfold, replace, verify, info or bench");
   EXPECT_EQ(files(), (Strings{"endless.obj"}));
 }
 

@@ -80,6 +80,13 @@ Project edit_by_hand(Project project, const HandEdit& edit) {
   return project;
 }
 
+Constraints pins_with_edits(const Project& project) {
+  Constraints pins = project.pins;
+  for (const EdgeId e : project.edits.must_fold) set_pin(pins, e, EdgePin::MustFold);
+  for (const EdgeId e : project.edits.must_cut) set_pin(pins, e, EdgePin::MustCut);
+  return pins;
+}
+
 Project set_seed(Project project, std::uint64_t seed) {
   project.seed = seed;
   return project;

@@ -29,6 +29,9 @@ Project accept_tree(Project project, UnfoldTree tree, const RunSummary& run);
 /// A tree changed by hand. Whether it is a net has to be proved again.
 Project edit_by_hand(Project project, const HandEdit& edit);
 
+/// What is pinned and what was edited by hand, together: where both speak of an edge, the hand came later.
+Constraints pins_with_edits(const Project& project);
+
 Project set_seed(Project project, std::uint64_t seed);
 Project set_paper(Project project, const PaperSetup& paper);
 Project set_size(Project project, const PrintSize& size);

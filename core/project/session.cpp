@@ -9,18 +9,6 @@
 
 namespace netwright {
 
-namespace {
-
-/// What was joined and cut by hand counts like pins; where both speak of an edge, the hand came later.
-Constraints with_edits(const Project& project) {
-  Constraints pins = project.pins;
-  for (const EdgeId e : project.edits.must_fold) set_pin(pins, e, EdgePin::MustFold);
-  for (const EdgeId e : project.edits.must_cut) set_pin(pins, e, EdgePin::MustCut);
-  return pins;
-}
-
-}  // namespace
-
 Session::Impl::Impl(Clock clock_function) : clock(std::move(clock_function)) {}
 
 Session::Impl::~Impl() {
@@ -48,7 +36,7 @@ void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const Unfo
                               bool stays_near) {
   check_pins();
   const std::optional<Contradiction> of_edits =
-      stays_near && !contradiction ? find_contradiction(*project().dual, with_edits(project()))
+      stays_near && !contradiction ? find_contradiction(*project().dual, pins_with_edits(project()))
                                    : std::nullopt;
   if (contradiction || of_edits) {
     run.reset();
@@ -59,7 +47,7 @@ void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const Unfo
   options.seed = project().seed;
   options.streams = streams;
   options.threads = threads;
-  options.pins = stays_near ? with_edits(project()) : project().pins;
+  options.pins = stays_near ? pins_with_edits(project()) : project().pins;
   options.from = std::move(from);
   options.stays_near = stays_near;
   is_timed_out = false;
