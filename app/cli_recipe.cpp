@@ -11,13 +11,19 @@
 namespace netwright {
 namespace {
 
-/// Where repairing would help and was not asked for, the refusal ends with how to ask.
-std::string repair_hint(const std::shared_ptr<const PolygonSoup>& source, Recipe recipe, Progress& progress) {
+/// Where another option would help, the refusal ends with how to ask for it.
+std::string hint(const std::shared_ptr<const PolygonSoup>& source, const Recipe& refused, Progress& progress) {
+  const auto is_fit = [&](const Recipe& recipe) {
+    return make_model(source, recipe, nullptr, progress).dual != nullptr;
+  };
+  const bool refuses_uneven = refused.uneven == UnevenFaces::Refuse;
+  if (refuses_uneven && is_fit({.repairs = refused.repairs, .uneven = UnevenFaces::Split}))
+    return " Or add --planarize to move corners a little, or --split to divide the faces.";
   const Recipe usual = usual_repair();
-  if (recipe.repairs == usual.repairs && recipe.uneven != UnevenFaces::Refuse) return "";
-  recipe = {.repairs = usual.repairs,
-            .uneven = recipe.uneven == UnevenFaces::Refuse ? usual.uneven : recipe.uneven};
-  return make_model(source, recipe, nullptr, progress).dual ? " Or add --repair." : "";
+  if (refused.repairs == usual.repairs && !refuses_uneven) return "";
+  const bool helps =
+      is_fit({.repairs = usual.repairs, .uneven = refuses_uneven ? usual.uneven : refused.uneven});
+  return helps ? " Or add --repair." : "";
 }
 
 /// The command's words about parts as what the recipe knows them by.
@@ -44,7 +50,7 @@ std::vector<int> left_out(const LeaveOut& wanted, const Mesh& whole) {
 MadeModel fit_model(const std::shared_ptr<const PolygonSoup>& source, const Recipe& recipe,
                     const std::shared_ptr<const ModelStages>& before, Progress& progress) {
   MadeModel made = make_model(source, recipe, before, progress);
-  if (!made.dual) throw Error(ErrorKind::Unfit, made.refusal + repair_hint(source, recipe, progress));
+  if (!made.dual) throw Error(ErrorKind::Unfit, made.refusal + hint(source, recipe, progress));
   return made;
 }
 

@@ -195,7 +195,7 @@ TEST_F(CommandLine, RepairsFlattensSimplifiesAndMergesOnlyWhenAsked) {
   PolygonSoup bent = shapes::cuboid({2, 1, 3});
   bent.points.back() += glm::dvec3(0.1, 0.2, 0.15);
   const std::string box = write("box.obj", bent);
-  expect_refusal(run({"unfold", box}), "flat");
+  expect_refusal(run({"unfold", box}), "Or add --planarize");
   EXPECT_EQ(run_json({"unfold", box, "--planarize", "--json"}, 0).find("faces")->integer(), 6);
   EXPECT_EQ(run_json({"unfold", box, "--split", "--json"}, 0).find("faces")->integer(), 9);
   expect_refusal(run({"unfold", box, "--split", "--planarize"}), "--split");

@@ -34,7 +34,7 @@ class Editor {
 
   template <class Condition>
   bool until(Condition condition) {
-    for (int i = 0; i < 50000; ++i) {
+    for (int i = 0; i < 300000; ++i) {
       session.poll();
       for (Message& message : session.take_messages()) said.push_back(std::move(message));
       if (condition()) return true;

@@ -25,6 +25,8 @@ std::string terrain() {
 
 class SessionRunsTest : public ::testing::Test {
  protected:
+  /// The test's clock does not wait for the search.
+  void SetUp() override { session_.set_time_limit(0); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   void frame() {
@@ -36,7 +38,7 @@ class SessionRunsTest : public ::testing::Test {
   }
   template <class Condition>
   [[nodiscard]] bool frames_until(Condition condition) {
-    for (int i = 0; i < 50000; ++i) {
+    for (int i = 0; i < 300000; ++i) {
       if (condition()) return true;
       frame();
     }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/mesh/readers.h"
 #include "core/project/project_file.h"
 #include "core/sheet/fold_file.h"
 #include "core/unfold/net.h"
@@ -53,6 +54,20 @@ std::string in_one(const ProjectParts& parts) {
   return parts.pictures.empty() ? bytes : bytes + parts.pictures.front();
 }
 
+/// In the formats that the helper program reads, and its answer about one of them.
+void write_helped(const std::filesystem::path& root, const std::string& name, const PolygonSoup& soup) {
+  write(root / "stl", name + ".binary", testing::to_binary_stl(soup));
+  write(root / "stl", name + ".text", testing::to_text_stl(soup));
+  write(root / "ply", name + ".binary", testing::to_binary_ply(soup));
+  write(root / "ply", name + ".text", testing::to_text_ply(soup));
+  write(root / "3mf", name, testing::to_3mf(soup));
+  write(root / "dae", name, testing::to_dae(soup));
+  write(root / "3ds", name, testing::to_3ds(soup));
+  readers::ParsedModel parsed;
+  parsed.soup = soup;
+  write(root / "answer", name, readers::pack(parsed));
+}
+
 void write_project(const std::filesystem::path& folder, const std::string& name, Project project) {
   project = testing::solved(std::move(project));
   project.path = "model.obj";
@@ -73,6 +88,7 @@ int main(int argc, char** argv) {
     write(root / "off", name, testing::to_off(soup));
     write(root / "obj", name, shapes::to_obj(soup));
     write(root / "fold", name, fold_of(soup));
+    write_helped(root, name, soup);
   }
   for (const PolygonSoup& soup : {shapes::tetrahedron(), shapes::icosphere(1), shapes::bumpy_patch(2, 2)}) {
     const std::string uri = "data:application/octet-stream;base64," + base64(testing::gltf_buffer(soup));
