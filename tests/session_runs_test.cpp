@@ -200,7 +200,7 @@ TEST_F(SessionRunsTest, DeletingARunLeavesTheNetAlone) {
 
 TEST_F(SessionRunsTest, RunsBelongToTheirMesh) {
   open_and_run_thrice();
-  session_.simplify_to(40, false);
+  session_.simplify_to(50, false);
   ASSERT_TRUE(frames_until([this] { return !session_.is_making(); }));
   ASSERT_TRUE(frames_until_idle());
   ASSERT_EQ(session_.runs().size(), 1U) << "the slider unfolds the new mesh";
