@@ -7,7 +7,7 @@ build_packages=(
   libcairo2-dev libfreetype-dev libcli11-dev nlohmann-json3-dev libzip-dev
   libgl1 libgl1-mesa-dri libegl1 libegl-mesa0)
 test_packages=(libgtest-dev xvfb xauth xdotool x11-utils imagemagick poppler-utils mupdf-tools
-  desktop-file-utils appstream shared-mime-info groff-base dpkg-dev)
+  desktop-file-utils appstream shared-mime-info groff-base dpkg-dev python3)
 lint_packages=(clang-format clang-tidy-16)
 
 say() { printf '%s\n' "$*" >&2; }

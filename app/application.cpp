@@ -153,6 +153,12 @@ void Application::draw() {
   window_.present();
   update_title();
   remember_model();
+  if (teller_) teller_->tell(told_of(session_, ui_, workspace_, title_));
+}
+
+void Application::tell_widgets(const std::filesystem::path& file) {
+  teller_.emplace(file);
+  ui_.widgets = &widgets_;
 }
 
 void Application::wait(double seconds) {

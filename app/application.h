@@ -3,8 +3,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "app/teller.h"
 #include "app/window.h"
 #include "core/project/session.h"
 #include "ui/workspace.h"
@@ -25,6 +27,8 @@ class Application {
   void turn(double longest_wait_s);
   /// Draws a frame whether or not anything changed.
   void draw();
+  /// From now on a file says where everything is on screen, see Teller. Throws Error(Write).
+  void tell_widgets(const std::filesystem::path& file);
   [[nodiscard]] bool is_over() const { return ui_.wants_quit; }
 
   [[nodiscard]] Session& session() { return session_; }
@@ -51,6 +55,8 @@ class Application {
   Workspace workspace_;
   std::string title_;
   std::filesystem::path known_model_;
+  WidgetLog widgets_;
+  std::optional<Teller> teller_;
   bool needs_draw_ = true;
   double settings_kept_at_ = 0;
 };

@@ -30,11 +30,14 @@ constexpr std::string_view kHelp =
     "  --size WxH       of the window, 1440x900 unless told otherwise\n"
     "  --theme NAME     light or dark\n"
     "  --scale PERCENT  size of the interface, 100 to 200\n"
+    "  --tell-widgets FILE\n"
+    "                   for scripts that test the window: FILE says where everything is on screen\n"
     "  --help, --version\n";
 
 struct Options {
   std::filesystem::path model;
   std::filesystem::path screenshot;
+  std::filesystem::path told_widgets;
   glm::ivec2 size{1440, 900};
   bool has_size = false;
   std::optional<ThemeChoice> theme;
@@ -79,6 +82,8 @@ void read_option(Options& options, const std::string& name, const std::function<
   } else if (name == "--size") {
     options.size = size_of(value());
     options.has_size = true;
+  } else if (name == "--tell-widgets") {
+    options.told_widgets = value();
   } else if (name == "--theme") {
     options.theme = theme_of(value());
   } else if (name == "--scale") {
@@ -169,6 +174,7 @@ int run_editor(const Options& options) {
   const auto window = open_window(wanted);
   Application application(*window, steady_clock(), settings_path());
   if (const auto folder = state_folder(); !folder.empty()) application.session().keep_changes_in(folder);
+  if (!options.told_widgets.empty()) application.tell_widgets(options.told_widgets);
   apply_options(application, options);
   application.run();
   return 0;

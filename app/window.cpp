@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <deque>
 #include <glm/common.hpp>
 #include <set>
 #include <utility>
@@ -171,6 +172,7 @@ class GlfwWindow final : public Window {
     fresh_keys_.clear();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    take_press();
   }
 
   void present() override {
@@ -215,6 +217,12 @@ class GlfwWindow final : public Window {
     int key;
     int scancode;
     int modifiers;
+  };
+
+  struct Press {
+    int button;
+    bool is_down;
+    ImVec2 at;
   };
 
   static GlfwWindow& self(GLFWwindow* window) {
@@ -264,6 +272,23 @@ class GlfwWindow final : public Window {
     event.modifiers = to_modifier_bits(modifiers);
     push(std::move(event));
     ImGui_ImplGlfw_MouseButtonCallback(window_.get(), button, action, modifiers);
+    if (button < 0 || button >= static_cast<int>(is_down_.size())) return;
+    presses_.push_back({button, action == GLFW_PRESS, pointer_});
+  }
+
+  /// The backend asks where the pointer is by now. Who clicks and moves on within one slow frame has meant
+  /// the place of the click: buttons go down and up one at a frame, each where that was.
+  void take_press() {
+    ImGuiIO& io = ImGui::GetIO();
+    if (!presses_.empty()) {
+      const Press press = presses_.front();
+      presses_.pop_front();
+      is_down_.at(static_cast<std::size_t>(press.button)) = press.is_down;
+      io.MousePos = press.at;
+      if (!presses_.empty()) on_simple(WindowEvent::Kind::MouseMove);  // another frame
+      if (!presses_.empty()) glfwPostEmptyEvent();
+    }
+    for (std::size_t k = 0; k < is_down_.size(); ++k) io.MouseDown[k] = is_down_.at(k);
   }
 
   void on_scroll(double x, double y) {
@@ -309,8 +334,10 @@ class GlfwWindow final : public Window {
     glfwSetWindowRefreshCallback(
         w, [](GLFWwindow* window) { self(window).on_simple(WindowEvent::Kind::Resize); });
     glfwSetWindowFocusCallback(w, ImGui_ImplGlfw_WindowFocusCallback);
-    glfwSetCursorPosCallback(
-        w, [](GLFWwindow* window, double, double) { self(window).on_simple(WindowEvent::Kind::MouseMove); });
+    glfwSetCursorPosCallback(w, [](GLFWwindow* window, double x, double y) {
+      self(window).pointer_ = ImVec2(static_cast<float>(x), static_cast<float>(y));
+      self(window).on_simple(WindowEvent::Kind::MouseMove);
+    });
     glfwSetCursorEnterCallback(w, [](GLFWwindow* window, int has_entered) {
       self(window).on_simple(WindowEvent::Kind::MouseMove);
       ImGui_ImplGlfw_CursorEnterCallback(window, has_entered);
@@ -323,6 +350,9 @@ class GlfwWindow final : public Window {
   std::set<int> fresh_keys_;            ///< pressed since the last frame
   std::vector<Release> late_releases_;  ///< of fresh keys
   std::vector<Release> due_releases_;   ///< to be delivered with the next frame
+  ImVec2 pointer_{-1, -1};         ///< at the event in hand; asking the system would tell where it is by now
+  std::deque<Press> presses_;      ///< of mouse buttons, for the coming frames
+  std::array<bool, 3> is_down_{};  ///< as the interface knows them
 };
 
 }  // namespace

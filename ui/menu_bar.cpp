@@ -64,7 +64,9 @@ void file_menu(UiContext& context) {
   entry(context, ActionId::SaveAs);
   ImGui::Separator();
   entry(context, ActionId::ExportPdf);
-  if (ImGui::BeginMenu("Export as")) {
+  const bool is_exporting = ImGui::BeginMenu("Export as");
+  note_widget(context.ui, "menu/Export as");
+  if (is_exporting) {
     for (const ActionId id : {ActionId::ExportSvg, ActionId::ExportPng, ActionId::ExportFold})
       entry(context, id);
     ImGui::EndMenu();
