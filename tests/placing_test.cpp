@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/project/derived.h"
 #include "core/project/project_file.h"
 #include "core/sheet/outline.h"
+#include "core/sheet/placing_edits.h"
 #include "tests/project_same.h"
 #include "tests/project_support.h"
 #include "tests/session_support.h"
@@ -206,6 +208,84 @@ TEST(Placing, AFileCannotPrintPiecesAtAnotherSize) {
   project.placed = as_it_lies(*derived_of(project));
   project.placed.places[1].canvas = 7;
   EXPECT_THROW(parse_project(project_bytes(project), "pair.netwright"), Error);
+}
+
+TEST(MovePieces, ANewSheetComesAndAnEmptyOneGoes) {
+  const auto derived = derived_of(solved_pair());
+  const Net& net = derived->shown->net;
+  const PageLayout& layout = *derived->pages;
+  ASSERT_EQ(layout.canvases.size(), 1U);
+  const HandLayout apart = move_pieces(net, layout, {{1, 1, shift(2, 3)}});
+  const PageLayout two = *lay_out(net, {}, apart);
+  EXPECT_EQ(two.pages.size(), 2U);
+  EXPECT_NEAR(box_of(net, two, 1).min.x, box_of(net, layout, 1).min.x + 2, 1e-9);
+  EXPECT_NEAR(box_of(net, two, 1).min.y, box_of(net, layout, 1).min.y - 3, 1e-9);
+  const HandLayout together = move_pieces(net, two, {{0, 1, Rigid2()}});
+  EXPECT_EQ(together.canvases.size(), 1U);
+  EXPECT_EQ(lay_out(net, {}, together)->pages.size(), 1U);
+}
+
+TEST(AlignPieces, BringsBoxesInLine) {
+  const auto derived = derived_of(solved_pair());
+  const Net& net = derived->shown->net;
+  const PageLayout& layout = *derived->pages;
+  const auto boxes = [&](Align where) {
+    const PageLayout aligned = *lay_out(net, {}, align_pieces(net, layout, {0, 1}, where));
+    return std::pair(box_of(net, aligned, 0), box_of(net, aligned, 1));
+  };
+  const Box2 a = box_of(net, layout, 0);
+  const Box2 b = box_of(net, layout, 1);
+  const auto left = boxes(Align::Left);
+  EXPECT_NEAR(left.first.min.x, std::min(a.min.x, b.min.x), 1e-9);
+  EXPECT_NEAR(left.second.min.x, left.first.min.x, 1e-9);
+  EXPECT_NEAR(left.second.min.y, b.min.y, 1e-9) << "up and down nothing moves";
+  const auto right = boxes(Align::Right);
+  EXPECT_NEAR(right.first.max.x, right.second.max.x, 1e-9);
+  const auto top = boxes(Align::Top);
+  EXPECT_NEAR(top.first.min.y, std::min(a.min.y, b.min.y), 1e-9);
+  EXPECT_NEAR(top.first.min.y, top.second.min.y, 1e-9);
+  const auto bottom = boxes(Align::Bottom);
+  EXPECT_NEAR(bottom.first.max.y, std::max(a.max.y, b.max.y), 1e-9);
+  EXPECT_NEAR(bottom.first.max.y, bottom.second.max.y, 1e-9);
+  const auto across = boxes(Align::CentreAcross);
+  EXPECT_NEAR(across.first.centre().x, across.second.centre().x, 1e-9);
+  const auto upright = boxes(Align::CentreUpright);
+  EXPECT_NEAR(upright.first.centre().y, upright.second.centre().y, 1e-9);
+}
+
+TEST(AlignPieces, OnePieceAloneGoesToTheEdgeOfItsSheet) {
+  const auto derived = derived_of(solved_pair());
+  const Net& net = derived->shown->net;
+  const PageLayout aligned = *lay_out(net, {}, align_pieces(net, *derived->pages, {1}, Align::Bottom));
+  EXPECT_NEAR(box_of(net, aligned, 1).max.y, aligned.frame.net.size().y, 1e-9);
+  EXPECT_FALSE(std::binary_search(find_misplaced(net, aligned).over_edge.begin(),
+                                  find_misplaced(net, aligned).over_edge.end(), 1));
+}
+
+TEST(SnappedTurn, PrefersTheNearerOfStepsAndEdges) {
+  constexpr double kDegree = 3.14159265358979323846 / 180;
+  EXPECT_NEAR(snapped_turn(47 * kDegree, {}), 45 * kDegree, 1e-12);
+  EXPECT_NEAR(snapped_turn(-8 * kDegree, {}), -15 * kDegree, 1e-12);
+  EXPECT_NEAR(snapped_turn(49 * kDegree, {51 * kDegree}), 51 * kDegree, 1e-12);
+  EXPECT_NEAR(snapped_turn(-40 * kDegree, {51 * kDegree}), -39 * kDegree, 1e-12) << "a quarter turn less";
+}
+
+TEST(LevelTurns, LayAnEdgeLevelOrUpright) {
+  const auto derived = derived_of(solved(project_of(shapes::tetrahedron())));
+  const Net& net = derived->shown->net;
+  const auto turns = level_turns(net, *derived->pages, {0});
+  ASSERT_FALSE(turns.empty());
+  for (const double turn : turns) {
+    const Rigid2 turned = Rigid2::rotation(turn) * derived->pages->pieces[0].turn;
+    double least = 1;
+    for (const OutlineLoop& loop : outline_loops(net))
+      for (const HalfedgeId h : loop.sides) {
+        const glm::dvec2 along =
+            glm::normalize(turned.rotate(net.corner(net.mesh().next(h)) - net.corner(h)));
+        least = std::min({least, std::abs(along.x), std::abs(along.y)});
+      }
+    EXPECT_LT(least, 1e-9);
+  }
 }
 
 class SessionPlacing : public SessionTest {

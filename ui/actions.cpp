@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "assets/icons.h"
+#include "ui/arranging.h"
 #include "ui/editing.h"
 #include "ui/leave.h"
 #include "ui/measure.h"
@@ -56,6 +57,7 @@ std::string needs_sheets(const UiContext& c) {
     return c.session.shown()->overlaps.empty() ? "" : "This run has overlaps left.";
   const auto shown = c.session.shown();
   if (shown == nullptr || !shown->is_proved) return "Unfold the model into one piece first (Space).";
+  if (const Misplaced* const wrong = c.session.misplaced()) return misplaced_sentence(*wrong);
   return c.session.sheets() == nullptr ? "The pages are still being laid out." : "";
 }
 
@@ -184,6 +186,7 @@ void toggle_editing(UiContext& c) {
   const bool was_on = c.ui.editing.is_on;
   end_measure(c.ui);
   end_editing(c.ui);
+  end_arranging(c.ui);
   c.ui.editing.is_on = !was_on;
 }
 
@@ -193,6 +196,7 @@ std::string rest_label(const UiContext& c) {
 
 void toggle_measure(UiContext& c) {
   end_editing(c.ui);
+  end_arranging(c.ui);
   const bool was_on = c.ui.measuring.is_on;
   c.ui.measuring = Measuring();
   c.ui.measuring.is_on = !was_on;
@@ -267,6 +271,11 @@ std::string split_label(const UiContext& c) {
   const FaceId face = chosen_face(c);
   const bool was_split = c.session.has_model() && face.is_valid() && is_split(c, face);
   return was_split ? "Merge this face again" : "Split this face again";
+}
+
+template <Align Where>
+void align(UiContext& c) {
+  align_chosen(c, Where);
 }
 
 template <bool Settings::*Flag>
@@ -375,6 +384,27 @@ const auto kActions = std::to_array<Action>({
     {ActionId::JoinAndCut, "Join and cut", icon::kCut, {'E', 0},
      "Joins and cuts edges of the net by hand, and hangs branches elsewhere", needs_still_net, toggle_editing,
      [](const UiContext& c) { return c.ui.editing.is_on; }, nullptr},
+    {ActionId::ArrangePieces, "Arrange pieces", icon::kPan, {'A', 0},
+     "Moves, turns and aligns the pieces on their pages by hand", why_not_arrange, toggle_arranging,
+     [](const UiContext& c) { return c.ui.arranging.is_on; }, nullptr},
+    {ActionId::TurnPieces, "Turn by a quarter", "", {'Q', 0}, "Turns the selected pieces clockwise on their pages",
+     why_not_align, turn_chosen_by_a_quarter, nullptr, nullptr},
+    {ActionId::AlignLeft, "Align left", "", {}, "Brings the left sides of the selected pieces in line", why_not_align,
+     align<Align::Left>, nullptr, nullptr},
+    {ActionId::AlignRight, "Align right", "", {}, "Brings the right sides of the selected pieces in line",
+     why_not_align, align<Align::Right>, nullptr, nullptr},
+    {ActionId::AlignTop, "Align top", "", {}, "Brings the tops of the selected pieces in line", why_not_align,
+     align<Align::Top>, nullptr, nullptr},
+    {ActionId::AlignBottom, "Align bottom", "", {}, "Brings the bottoms of the selected pieces in line",
+     why_not_align, align<Align::Bottom>, nullptr, nullptr},
+    {ActionId::AlignCentreAcross, "Centre across", "", {}, "Puts the middles of the selected pieces above each other",
+     why_not_align, align<Align::CentreAcross>, nullptr, nullptr},
+    {ActionId::AlignCentreUpright, "Centre up and down", "", {},
+     "Puts the middles of the selected pieces beside each other", why_not_align, align<Align::CentreUpright>, nullptr,
+     nullptr},
+    {ActionId::RearrangeAll, "Re-arrange all", "", {'A', kShiftBit},
+     "Lays the pieces out anew, as it was before they were moved by hand", why_not_rearrange, rearrange, nullptr,
+     nullptr},
     {ActionId::Measure, "Measure", icon::kRuler, {'D', 0}, "Measures distances and angles in both views, in printed size",
      needs_model, toggle_measure, [](const UiContext& c) { return c.ui.measuring.is_on; }, nullptr},
     {ActionId::ToggleTextures, "Textures", icon::kTexture, {}, "Shows the model's own colours and pictures",
@@ -477,6 +507,10 @@ bool run_shortcut(UiContext& context, const Shortcut& pressed) {
       end_editing(context.ui);
     } else if (candidate.id == ActionId::Stop && context.ui.measuring.is_on) {
       end_measure(context.ui);
+      return true;
+    }
+    if (candidate.id == ActionId::Stop && context.ui.arranging.is_on) {
+      escape_arranging(context);
       return true;
     }
     // Esc is also how people get out of things; pressing it once too often is no mistake to be told about.

@@ -211,6 +211,8 @@ void Dialogs::draw_keys(UiContext& context) {
     key_line(ui, "Right or middle drag    ", "Moves the model or the net");
     key_line(ui, "Wheel", "Zooms at the pointer");
     key_line(ui, "Click", "Selects a face; the same face lights up in the other view");
+    key_line(ui, "Shift+click, Shift+drag", "Adds to the selection, or selects all in a rectangle");
+    key_line(ui, "Arrange: drag, handle", "Moves and turns pieces; Ctrl switches snapping off");
     key_line(ui, "Double-click", "Brings a face to the middle of both views");
     ImGui::EndTable();
   }

@@ -54,6 +54,8 @@ std::vector<Entry> entries_of(const UiContext& context, const ShownNet& shown) {
   // Where room runs out the last ones go: tree and root have switches of their own that say what they are.
   if (ui.settings.show_overlaps && !shown.overlaps.empty())
     entries.push_back({"overlap", Mark::Hatch, p.overlap});
+  if (ui.settings.show_pages && context.session.misplaced() != nullptr)
+    entries.push_back({"misplaced", Mark::Hatch, p.overlap});
   if (ui.settings.show_tree) entries.push_back({"tree", Mark::Line, p.tree});
   if (ui.settings.show_root) entries.push_back({"root", Mark::Dot, p.root});
   return entries;

@@ -116,6 +116,24 @@ void view_menu(UiContext& context) {
   scale_menu(context);
 }
 
+void paper_menu(UiContext& context) {
+  entry(context, ActionId::ArrangePieces);
+  entry(context, ActionId::TurnPieces);
+  const bool is_open = ImGui::BeginMenu("Align");
+  note_widget(context.ui, "menu/Align");
+  if (is_open) {
+    for (const ActionId id : {ActionId::AlignLeft, ActionId::AlignCentreAcross, ActionId::AlignRight})
+      entry(context, id);
+    ImGui::Separator();
+    for (const ActionId id : {ActionId::AlignTop, ActionId::AlignCentreUpright, ActionId::AlignBottom})
+      entry(context, id);
+    ImGui::EndMenu();
+  }
+  entry(context, ActionId::RearrangeAll);
+  ImGui::Separator();
+  entry(context, ActionId::TogglePages);
+}
+
 void plain_menu(UiContext& context, std::initializer_list<ActionId> ids) {
   for (const ActionId id : ids) entry(context, id);
 }
@@ -176,6 +194,7 @@ float draw_menu_bar(UiContext& context) {
     ImGui::Separator();
     plain_menu(context, {ActionId::PlayMoves, ActionId::MoveBack, ActionId::MoveOn});
   });
+  menu("Paper", [&] { paper_menu(context); });
   menu("View", [&] { view_menu(context); });
   menu("Help", [&] { plain_menu(context, {ActionId::Keys, ActionId::About}); });
   title_at_right(context);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assets/icons.h"
+#include "ui/arranging.h"
 #include "ui/editing.h"
 #include "ui/legend.h"
 #include "ui/measure.h"
@@ -59,8 +60,10 @@ void NetView::follow_net(UiContext& context, const Scene& scene) {
   const auto line = context.session.timeline();
   const bool is_moving = line && line->position != line->home;
   const bool is_resting = context.session.state() == RunState::Idle && !is_moving;
-  const bool is_due =
-      is_asked || is_laid_anew || needs_framing(camera_, scene.net_box()) || (is_new && is_resting);
+  // Under a hand that arranges pieces the desk holds still.
+  const bool follows =
+      !is_arranging(context, scene) && (needs_framing(camera_, scene.net_box()) || (is_new && is_resting));
+  const bool is_due = is_asked || is_laid_anew || follows;
   if (is_due && !is_moved_by_user_) camera_.frame(scene.net_box(), ui.look.px(24));
   if (!ui.flight_now.empty()) start_flight(ui.flight_now, *net, ui.now);
   if (!ui.centre_now.is_valid()) return;
@@ -94,15 +97,17 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
   UiState& ui = context.ui;
   if (scene.net() == nullptr) return;
   const glm::dvec2 pointer(gesture.pointer.x, gesture.pointer.y);
-  if (band_.follow(ui, gesture)) {
-    select_faces(ui, faces_in_band(*scene.net()), band_.before());
-    ui.hint = band_hint(ui);
-    return;
-  }
   const Pointed pointed = gesture.is_hovered
                               ? point_at(scene.net_picker(), *scene.net(), camera_, pointer, edge_reach(ui))
                               : Pointed();
-  if (gesture.is_pressed) is_panning_ = !pointed.face.is_valid() && !pointed.side.is_valid();
+  const bool arranges = is_arranging(context, scene);
+  if (band_.follow(ui, arranges ? with_band(context, scene, pointed, gesture, camera_) : gesture)) {
+    select_faces(ui, faces_in_band(*scene.net()), band_.before());
+    if (arranges) select_whole_pieces(context);
+    ui.hint = arranges ? pieces_hint(context) : band_hint(ui);
+    return;
+  }
+  if (gesture.is_pressed) is_panning_ = !arranges && !pointed.face.is_valid() && !pointed.side.is_valid();
   if (gesture.drag_button > 0 || (gesture.drag_button == 0 && is_panning_)) {
     camera_.pan({gesture.drag.x, gesture.drag.y});
     is_moved_by_user_ = true;
@@ -110,6 +115,10 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
   if (gesture.wheel != 0) {
     camera_.zoom(std::pow(1.15, gesture.wheel), pointer);
     is_moved_by_user_ = true;
+  }
+  if (arranges) {
+    take_arrange(context, scene, pointed, gesture, camera_);
+    return;
   }
   if (ui.editing.is_on && (gesture.is_hovered || ui.editing.branch.is_valid())) {
     const glm::dvec2 at = camera_.to_world(pointer);
@@ -193,6 +202,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   ImGui::GetWindowDrawList()->AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y),
                                        ImVec2(0, 1), ImVec2(1, 0));
   if (ui.settings.show_numbers && scene.net() != nullptr) show_numbers(ui, scene, corner);
+  draw_arranging(context, scene, camera_, corner);
   band_.draw(ui, corner);
   draw_measured(context, scene, corner);
   if (scene.net() == nullptr && context.session.state() == RunState::Idle) draw_empty_desk(ui, corner, size);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/paper.h"
+#include "ui/actions.h"
 #include "ui/panels.h"
 #include "ui/status.h"
 #include "ui/widgets.h"
@@ -70,6 +71,21 @@ void size_row(UiContext& c) {
   c.session.set_size(size);
 }
 
+/// Only where the user arranged the pieces.
+void placed_rows(UiContext& c) {
+  if (!c.session.has_placed_pieces()) return;
+  if (const Misplaced* const wrong = c.session.misplaced()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, c.ui.look.colours.bad);
+    ImGui::TextWrapped("%s", misplaced_sentence(*wrong).c_str());
+    ImGui::PopStyleColor();
+  } else {
+    text_muted(c.ui, "Pieces lie where you put them.");
+  }
+  const Action& back = action(ActionId::RearrangeAll);
+  if (button(c.ui, {"paper/rearrange", std::string(back.name), "", tip_of(c, back), ButtonKind::Outlined}))
+    run_action(c, ActionId::RearrangeAll);
+}
+
 }  // namespace
 
 void panel_paper(UiContext& context) {
@@ -81,6 +97,7 @@ void panel_paper(UiContext& context) {
   orientation_row(context);
   margin_row(context);
   size_row(context);
+  placed_rows(context);
   if (const auto sheets = context.session.sheets(); sheets != nullptr) {
     text_muted(context.ui,
                "Prints on " + counted(static_cast<std::int64_t>(sheets->size()), "page", "pages") + ".");

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/sheet/pages.h"
+#include "ui/arranging.h"
+#include "ui/desk.h"
 #include "ui/lit.h"
 #include "ui/measure.h"
 #include "ui/overlay.h"
@@ -12,23 +14,11 @@
 namespace netwright {
 namespace {
 
-constexpr double kGapMm = 15;  ///< between canvases on the desk
-
 Box2 flipped(glm::dvec2 corner, glm::dvec2 size, double scale) {
   Box2 box;
   box.add(glm::dvec2(corner.x, -corner.y) / scale);
   box.add(glm::dvec2(corner.x + size.x, -corner.y - size.y) / scale);
   return box;
-}
-
-/// Where canvas `index` begins on the desk, in mm.
-double canvas_left(const PageLayout& layout, int index) {
-  double left = 0;
-  for (int i = 0; i < index; ++i) {
-    const auto& canvas = layout.canvases[static_cast<std::size_t>(i)];
-    left += std::max(canvas.width_mm, layout.frame.width_mm) + kGapMm;
-  }
-  return left;
 }
 
 /// A page that stands alone is shown whole; tiles are shown as what they print, since their margins overlap.
@@ -74,14 +64,28 @@ void Scene::place() {
   for (const SheetOutline& sheet : paged_->sheets) net_box_.add(sheet.border);
 }
 
+void Scene::move_held_pieces(const Arranging& arranging) {
+  if (paged_ == nullptr || !arranging.has_motion || arranging.layout != layout_) return;
+  PagedNet moved = *paged_;
+  for (const FaceId f : moved.net.mesh().faces()) {
+    const bool is_held =
+        std::binary_search(arranging.pieces.begin(), arranging.pieces.end(), moved.net.piece[f]);
+    if (is_held) moved.net.placement[f] = arranging.motion * moved.net.placement[f];
+  }
+  paged_ = std::make_unique<const PagedNet>(std::move(moved));
+}
+
 void Scene::take_net(const UiContext& context, Renderers& renderers) {
   const auto shown = context.session.shown();
   const auto layout = context.ui.settings.show_pages ? context.session.pages() : nullptr;
-  if (shown == shown_ && layout == layout_) return;
+  const std::uint64_t arranged = context.ui.arranging.version;
+  if (shown == shown_ && layout == layout_ && arranged == arranged_version_) return;
   shown_ = shown;
   layout_ = layout;
+  arranged_version_ = arranged;
   ++version_;
   place();
+  move_held_pieces(context.ui.arranging);
   if (shown_ == nullptr) {
     renderers.net.clear();
     renderers.tree.clear();
@@ -99,7 +103,9 @@ void Scene::mark_faces(const UiContext& context) {
   if (dual_ == nullptr) return;
   const UiState& ui = context.ui;
   if (!ui.hovered_side.is_valid()) states_.add(ui.hovered, FaceState::Hovered);
-  for (const FaceId face : ui.selected_faces) states_.add(face, FaceState::Selected);
+  // Chosen pieces have an outline of their own.
+  if (!ui.arranging.is_on)
+    for (const FaceId face : ui.selected_faces) states_.add(face, FaceState::Selected);
   for (const FaceId face : ui.hovered_part_faces) states_.add(face, FaceState::Hovered);
   for (const FaceId face : ui.lit.faces) {
     states_.add(face, FaceState::Hovered);
@@ -127,8 +133,22 @@ void Scene::mark_faces(const UiContext& context) {
       if (shown_->is_overlapping[f]) states_.add(FaceId(f), FaceState::Overlapping);
     }
   }
+  mark_pieces(context);
   for (const FaceId f : shown_->climbed) states_.add(f, FaceState::Climbed);
   if (shown_->last_move) states_.add(shown_->last_move->chosen, FaceState::Chosen);
+}
+
+void Scene::mark_pieces(const UiContext& context) {
+  const Arranging& arranging = context.ui.arranging;
+  if (paged_ == nullptr) return;
+  if (arranging.has_motion) {
+    for (const FaceId f : arranging.misplaced) states_.add(f, FaceState::Overlapping);
+  } else if (const Misplaced* const wrong = context.session.misplaced()) {
+    for (const FaceId f : wrong->faces) states_.add(f, FaceState::Overlapping);
+  }
+  if (!arranging.is_on || arranging.hovered < 0) return;
+  for (const FaceId f : net()->mesh().faces())
+    if (net()->piece[f] == arranging.hovered) states_.add(f, FaceState::Hovered);
 }
 
 void Scene::update(const UiContext& context, Renderers& renderers) {
@@ -144,6 +164,7 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     clear_selection(ui);
     ui.folding = Folding();
     ui.measuring = Measuring();
+    end_arranging(ui);
     clear_lit(ui);
     ui.hovered_part.reset();
     ui.hovered_part_faces.clear();
@@ -172,6 +193,7 @@ void Scene::take_pose(const UiContext& context, Renderers& renderers) {
   OverlayLines lines = overlay_of(context.ui, pose(), drawn, kinds, context.session.project().pins,
                                   context.session.contradiction());
   add_measure(context.ui.measuring, *dual_, pose(), drawn, lines);
+  if (drawn != nullptr) add_arranging(context, *drawn, lines);
   renderers.overlay.set_lines(std::move(lines));
 }
 

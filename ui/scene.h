@@ -55,6 +55,8 @@ class Scene {
  private:
   void take_net(const UiContext& context, Renderers& renderers);
   void mark_faces(const UiContext& context);
+  void mark_pieces(const UiContext& context);
+  void move_held_pieces(const Arranging& arranging);
   void take_pose(const UiContext& context, Renderers& renderers);
   void place();
 
@@ -65,6 +67,7 @@ class Scene {
   std::shared_ptr<const PageLayout> layout_;
   Box2 net_box_;
   std::uint64_t version_ = 1;
+  std::uint64_t arranged_version_ = 0;
   std::uint64_t model_version_ = 0;
   std::uint64_t file_version_ = 0;
   FoldedNet folded_;

@@ -74,6 +74,10 @@ Status idle_status(const Session& session) {
       status.in_short = "not proved";
     }
   }
+  if (session.misplaced() != nullptr) {
+    status.tone = Tone::Bad;
+    add(status.in_short, "misplaced");
+  }
   if (session.viewed_run() != 0) {
     const bool is_found = !session.timeline() || session.timeline()->position == session.timeline()->home;
     if (!is_found)

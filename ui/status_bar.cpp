@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "assets/icons.h"
+#include "ui/arranging.h"
 #include "ui/frame_parts.h"
+#include "ui/selection.h"
 #include "ui/status.h"
 #include "ui/widgets.h"
 
@@ -25,6 +27,9 @@ std::string standing_hint(const UiContext& context) {
     case RunState::Idle:
       break;
   }
+  if (context.ui.arranging.is_on) return arranging_hint(context);
+  if (const std::string selected = selection_text(context.ui); !selected.empty())
+    return selected + " · Shift+click adds or lets go · Esc lets go of all";
   if (context.session.timeline())
     return "Enter uses this net · ← → go move by move · V plays · Esc goes back";
   if (context.session.viewed_run() != 0)

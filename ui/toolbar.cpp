@@ -20,7 +20,7 @@ struct BarItem {
   const char* label = "";  ///< shorter than the action's own
 };
 
-constexpr std::array<BarItem, 16> kBar{BarItem{Item::Action, ActionId::Open, "Open"},
+constexpr std::array<BarItem, 17> kBar{BarItem{Item::Action, ActionId::Open, "Open"},
                                        BarItem{Item::IconOnly, ActionId::Save},
                                        BarItem{Item::Separator},
                                        BarItem{Item::IconOnly, ActionId::Undo},
@@ -34,6 +34,7 @@ constexpr std::array<BarItem, 16> kBar{BarItem{Item::Action, ActionId::Open, "Op
                                        BarItem{Item::Separator},
                                        BarItem{Item::Action, ActionId::PinRoot, "Root"},
                                        BarItem{Item::IconOnly, ActionId::JoinAndCut},
+                                       BarItem{Item::IconOnly, ActionId::ArrangePieces},
                                        BarItem{Item::IconOnly, ActionId::Measure},
                                        BarItem{Item::Action, ActionId::ExportPdf, "Print"}};
 
@@ -74,7 +75,8 @@ float speed_width(const UiState& ui, bool has_labels) {
 
 /// Where room is shortest the tools stay in the menus and on their keys.
 bool is_tool(const BarItem& item) {
-  return item.kind == Item::IconOnly && (item.id == ActionId::JoinAndCut || item.id == ActionId::Measure);
+  return item.kind == Item::IconOnly && (item.id == ActionId::JoinAndCut ||
+                                         item.id == ActionId::ArrangePieces || item.id == ActionId::Measure);
 }
 
 float bar_width(const UiContext& context, bool has_labels) {

@@ -59,6 +59,27 @@ struct Editing {
   std::shared_ptr<const ShownNet> preview = {};  ///< the net after it
 };
 
+/// The tool that arranges pieces on the page, and what it has in its hand.
+struct Arranging {
+  enum class Grip { None, Move, Turn };
+  bool is_on = false;
+  Grip grip = Grip::None;
+  int hovered = -1;                               ///< piece
+  std::vector<int> pieces = {};                   ///< held, or moved and waiting for their new pages
+  std::shared_ptr<const ShownNet> shown = {};     ///< of this net,
+  std::shared_ptr<const PageLayout> layout = {};  ///< on these pages;
+  std::vector<Box2> boxes = {};                   ///< of all pieces there, in the net's view,
+  Box2 box = {};                                  ///< and of those held
+  std::vector<double> levels = {};                ///< turns that lay an edge of theirs level
+  glm::dvec2 from{0};                             ///< where the hand took hold
+  bool has_motion = false;
+  Rigid2 motion = {};                                ///< what they do in the net's view,
+  HandLayout goal = {};                              ///< how they would lie then,
+  std::vector<FaceId> misplaced = {};                ///< and which faces badly
+  std::array<std::optional<double>, 2> guides = {};  ///< x and y at which something snapped
+  std::uint64_t version = 0;                         ///< changes with the motion
+};
+
 struct Toast {
   std::string text;
   bool is_good = true;
@@ -104,6 +125,7 @@ struct UiState {
   Folding folding;
   Measuring measuring;
   Editing editing;
+  Arranging arranging;
   OverlapList overlaps;
   std::optional<Overlap> shown_overlap;  ///< lit in both views; gone with the mesh
   std::string hint;                      ///< what the thing under the pointer does; rebuilt every frame

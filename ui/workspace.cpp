@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/arranging.h"
 #include "ui/first_hints.h"
 #include "ui/frame_parts.h"
 #include "ui/messages.h"
@@ -143,6 +144,7 @@ void Workspace::draw(Session& session, UiState& ui) {
   take_messages(context);
   ui.centre_now = std::exchange(ui.wants_centre, FaceId());
   ui.flight_now = std::exchange(ui.wants_flight, {});
+  follow_pages(context);
   scene_.update(context, renderers_);
   run_pictures_.tidy();
   ui.run_pictures = &run_pictures_;
