@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/project/derived.h"
 #include "core/project/project_file.h"
+#include "core/project/replace_model.h"
 #include "core/sheet/outline.h"
 #include "core/sheet/placing_edits.h"
 #include "tests/project_same.h"
@@ -181,6 +182,9 @@ TEST(Placing, AnotherNetOrPaperIsArrangedAnew) {
   EXPECT_TRUE(set_paper(project, {"A3", Orientation::Auto, 10}).placed.is_automatic());
   EXPECT_TRUE(set_size(project, {PrintSize::Kind::Height, 40}).placed.is_automatic());
   EXPECT_TRUE(accept_tree(project, *project.tree, {}).placed.is_automatic());
+  Progress progress;
+  const Replacement newer = replace_model(project, "newer.obj", project.source, std::nullopt, progress);
+  EXPECT_TRUE(newer.project.placed.is_automatic());
   EXPECT_EQ(set_seed(project, 9).placed, project.placed);
   EXPECT_EQ(pin_root(project, FaceId(3)).placed, project.placed);
   const auto rerooted = derived_of(pin_root(project, FaceId(3)));

@@ -94,9 +94,26 @@ std::string label_of(const HandEdit& edit) {
   return edit.joined.size() > 1 ? "join strip" : "join edge";
 }
 
+/// What comes over to what, and by which edge; nothing for a cut.
+std::optional<SwingWish> swing_of(const Mesh& mesh, const HandEdit& edit) {
+  const auto moves = [&](FaceId f) {
+    return std::find(edit.moved.begin(), edit.moved.end(), f) != edit.moved.end();
+  };
+  FaceId still;
+  for (const FaceId f : mesh.faces())
+    if (!still.is_valid() && !moves(f)) still = f;
+  if (edit.joined.empty() || !still.is_valid()) return std::nullopt;
+  const HalfedgeId side = mesh.halfedge(edit.joined.front());
+  const FaceId near = mesh.face(side);
+  const FaceId far = mesh.neighbour(side);
+  if (moves(near) == moves(far)) return SwingWish{edit.joined.front(), still, near};
+  return moves(near) ? SwingWish{edit.joined.front(), far, near} : SwingWish{edit.joined.front(), near, far};
+}
+
 void make(UiContext& c, const std::string& label) {
   Editing& editing = c.ui.editing;
   const HandEdit edit = *editing.edit;
+  if (!c.ui.is_motion_reduced) c.ui.swing = swing_of(mesh_of(c), edit);
   editing.edit.reset();
   editing.preview = nullptr;
   editing.side = HalfedgeId();

@@ -97,6 +97,7 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
   UiState& ui = context.ui;
   if (scene.net() == nullptr) return;
   const glm::dvec2 pointer(gesture.pointer.x, gesture.pointer.y);
+  if (scene.is_swinging()) return;  // what is seen lies elsewhere in a moment
   const Pointed pointed = gesture.is_hovered
                               ? point_at(scene.net_picker(), *scene.net(), camera_, pointer, edge_reach(ui))
                               : Pointed();

@@ -59,7 +59,7 @@ void Scene::place() {
   net_box_ = Box2();
   if (shown_ == nullptr) return;
   if (layout_ != nullptr) paged_ = std::make_unique<const PagedNet>(on_pages(shown_->net, *layout_));
-  net_box_ = net()->box();
+  net_box_ = paged_ ? paged_->net.box() : shown_->net.box();
   if (paged_ == nullptr) return;
   for (const SheetOutline& sheet : paged_->sheets) net_box_.add(sheet.border);
 }
@@ -79,7 +79,9 @@ void Scene::take_net(const UiContext& context, Renderers& renderers) {
   const auto shown = context.session.shown();
   const auto layout = context.ui.settings.show_pages ? context.session.pages() : nullptr;
   const std::uint64_t arranged = context.ui.arranging.version;
-  if (shown == shown_ && layout == layout_ && arranged == arranged_version_) return;
+  const bool was_swinging = swinging_.has_value();
+  follow_swing(context.ui, shown);
+  if (shown == shown_ && layout == layout_ && arranged == arranged_version_ && !was_swinging) return;
   shown_ = shown;
   layout_ = layout;
   arranged_version_ = arranged;
@@ -92,8 +94,28 @@ void Scene::take_net(const UiContext& context, Renderers& renderers) {
     net_picker_.clear();
     return;
   }
+  hand_over(renderers);
+}
+
+void Scene::follow_swing(UiState& ui, const std::shared_ptr<const ShownNet>& shown) {
+  const std::optional<SwingWish> wish = std::exchange(ui.swing, std::nullopt);
+  if (swinging_) {
+    const bool is_other = shown == nullptr || shown->net.dual != shown_->net.dual ||
+                          !(shown->net.tree == swinging_->swing.goal());
+    if (is_other || !swinging_->swing.advance(ui.now)) swinging_.reset();
+  }
+  const bool begins = wish && shown != shown_ && shown && shown_ && shown->net.dual == shown_->net.dual;
+  if (begins) {
+    const Swinging began{Swing(*net(), shown->net, *wish, ui.now), net_box(), is_on_pages()};
+    swinging_ = began;
+  }
+  if (swinging_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
+}
+
+void Scene::hand_over(Renderers& renderers) {
   renderers.net.set_net(*net(), shown_->kinds, version_);
-  renderers.net.set_sheets(paged_ == nullptr ? std::span<const SheetOutline>() : paged_->sheets);
+  if (!swinging_)
+    renderers.net.set_sheets(paged_ == nullptr ? std::span<const SheetOutline>() : paged_->sheets);
   renderers.tree.set_tree(*net(), shown_->climbed, shown_->candidates, version_);
   net_picker_.set_net(*net(), version_);
 }

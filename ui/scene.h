@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/project/session.h"
@@ -33,11 +35,14 @@ class Scene {
   [[nodiscard]] const std::shared_ptr<const ShownNet>& shown() const { return shown_; }
   /// The net as it is drawn; null when there is none.
   [[nodiscard]] const Net* net() const {
+    if (swinging_) return &swinging_->swing.net();
     return shown_ == nullptr ? nullptr : (paged_ ? &paged_->net : &shown_->net);
   }
+  /// A part of the net is on its way to where it was joined; until it is there the desk stays as it was.
+  [[nodiscard]] bool is_swinging() const { return swinging_.has_value(); }
   /// Everything the net's view should show: net and pages.
-  [[nodiscard]] const Box2& net_box() const { return net_box_; }
-  [[nodiscard]] bool is_on_pages() const { return paged_ != nullptr; }
+  [[nodiscard]] const Box2& net_box() const { return swinging_ ? swinging_->box : net_box_; }
+  [[nodiscard]] bool is_on_pages() const { return swinging_ ? swinging_->is_on_pages : paged_ != nullptr; }
   /// Changes whenever the net, its pages or its overlaps do.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Changes with every mesh, also when one file is made into another mesh.
@@ -56,9 +61,18 @@ class Scene {
   void take_net(const UiContext& context, Renderers& renderers);
   void mark_faces(const UiContext& context);
   void mark_pieces(const UiContext& context);
+  void follow_swing(UiState& ui, const std::shared_ptr<const ShownNet>& shown);
+  void hand_over(Renderers& renderers);
   void move_held_pieces(const Arranging& arranging);
   void take_pose(const UiContext& context, Renderers& renderers);
   void place();
+
+  /// The desk as it was when the swing began.
+  struct Swinging {
+    Swing swing;
+    Box2 box;
+    bool is_on_pages;
+  };
 
   std::shared_ptr<const PolygonSoup> source_;
   std::shared_ptr<const DualGraph> dual_;
@@ -66,6 +80,7 @@ class Scene {
   std::unique_ptr<const PagedNet> paged_;
   std::shared_ptr<const PageLayout> layout_;
   Box2 net_box_;
+  std::optional<Swinging> swinging_;
   std::uint64_t version_ = 1;
   std::uint64_t arranged_version_ = 0;
   std::uint64_t model_version_ = 0;

@@ -15,6 +15,7 @@
 #include "core/project/session.h"
 #include "ui/overlap_list.h"
 #include "ui/settings.h"
+#include "ui/swing.h"
 #include "ui/theme.h"
 #include "ui/widget_log.h"
 
@@ -126,6 +127,7 @@ struct UiState {
   Measuring measuring;
   Editing editing;
   Arranging arranging;
+  std::optional<SwingWish> swing;  ///< a join was made: the net that comes swings over
   OverlapList overlaps;
   std::optional<Overlap> shown_overlap;  ///< lit in both views; gone with the mesh
   std::string hint;                      ///< what the thing under the pointer does; rebuilt every frame

@@ -122,6 +122,7 @@ class Replacer {
     next.tree = nullptr;
     next.run.reset();
     next.pins = next.edits = {};
+    next.placed = {};
     if (make(std::move(recipe))) carry();
     return std::move(result_);
   }
