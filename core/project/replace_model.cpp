@@ -84,6 +84,8 @@ std::vector<MeshReport::Line> general_lines(const Project& old, const Project& n
                                      " kept, " + grouped(report.n_moved) + " moved, " +
                                      grouped(report.n_lost) + " lost."});
   if (frame != ModelFrame{}) lines.push_back({Kind::Notice, frame_text(frame)});
+  if (!old.placed.is_automatic())
+    lines.push_back({Kind::Problem, "The pieces are arranged on the pages anew."});
   const double taller = next.dual->mesh().height() / (frame.scale * old.dual->mesh().height());
   if (old.size.kind == PrintSize::Kind::Height && std::abs(taller - 1) > 1e-3)
     lines.push_back({Kind::Notice, "It is printed as tall as before, but is " + factor_text(taller) +

@@ -51,6 +51,7 @@ void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const Unfo
   options.from = std::move(from);
   options.stays_near = stays_near;
   is_timed_out = false;
+  step_of_run.reset();
   leave_view();
   run.reset();  // its job is told to end before the new one is queued
   run = std::make_unique<SearchRun>(worker, project().dual, options, bell, start, speed, clock());
@@ -79,6 +80,7 @@ void Session::Impl::move_in_history(std::size_t position) {
   const std::shared_ptr<const UnfoldTree> tree = project().tree;
   const std::shared_ptr<const DualGraph> dual = project().dual;
   history.go_to(position);
+  waiting = is_unrepaired() ? answered : std::nullopt;
   if (project().dual != dual) derived = nullptr;
   if (project().tree != tree || project().dual != dual) drop_result();
   derive_again();
@@ -135,6 +137,7 @@ RunFigures Session::figures() const {
 
 std::shared_ptr<const Progress> Session::chore() const {
   if (impl_->opening) return impl_->opening->progress;
+  if (impl_->replacing) return impl_->replacing->progress;
   if (impl_->chore_making) return impl_->chore_making->progress;
   return impl_->exports.empty() ? nullptr : impl_->exports.front()->progress;
 }
@@ -287,6 +290,11 @@ std::vector<std::string> Session::history() const {
   std::vector<std::string> labels;
   for (std::size_t i = 0; i < impl_->history.size(); ++i) labels.push_back(impl_->history.label(i));
   return labels;
+}
+
+std::string Session::first_name() const {
+  const auto& source = impl_->history.at(0).source;
+  return source ? source->name : "";
 }
 
 std::size_t Session::history_position() const { return impl_->history.position(); }

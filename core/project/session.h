@@ -15,6 +15,7 @@
 #include "core/project/autosave.h"
 #include "core/project/project.h"
 #include "core/project/real_size.h"
+#include "core/project/replace_model.h"
 #include "core/project/run_figures.h"
 #include "core/project/run_list.h"
 #include "core/project/shown_net.h"
@@ -82,8 +83,26 @@ class Session {
   };
   [[nodiscard]] const Pending* pending() const;  ///< null when there is none
   void try_pending(const Recipe& recipe);        ///< tries other repairs, as a chore
-  void repair_pending();                         ///< opens what has come of them, if that is fit
+  /// Opens what has come of them, if that is fit. Repairing is the first undo step then; taking it back leads
+  /// to the question again, with no model, and redoing it, or agreeing again, to the repaired one.
+  void repair_pending();
   void drop_pending();
+  /// The file that is open but not repaired, since that was undone: its name and why it cannot be unfolded.
+  struct Unrepaired {
+    std::string name;
+    std::string refusal;
+  };
+  [[nodiscard]] std::optional<Unrepaired> unrepaired() const;
+  void ask_again();  ///< brings the question about it back
+
+  /// A changed version of the model in the present one's place, as one undo step "replace model": pins,
+  /// recipe and settings go over to it (see replace_model.h), and where there is a net, the search goes on
+  /// from what is left of it; its net is part of the step. Reading and comparing is a chore: chore() tells
+  /// how far it is, cancel_opening() gives it up. A version that needs repair is pending() first.
+  void replace_model(const std::filesystem::path& path);
+  [[nodiscard]] bool is_replacing() const;
+  /// What came of the work on the version before the present one; null when the present model replaced none.
+  [[nodiscard]] std::shared_ptr<const ReplaceReport> replacement() const;
 
   // How the mesh is made of the file; each change is one undo step with a name, made as a chore on the
   // worker. A net of the old mesh goes; where there was one, or a search runs, the new mesh is unfolded at
@@ -201,6 +220,8 @@ class Session {
   void redo();
   /// The names of all steps that can be undone or redone, oldest first, after an empty one for the beginning.
   [[nodiscard]] std::vector<std::string> history() const;
+  /// The file that the history begins with; empty in an empty project.
+  [[nodiscard]] std::string first_name() const;
   [[nodiscard]] std::size_t history_position() const;
   void go_to_step(std::size_t position);
 

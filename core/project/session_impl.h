@@ -53,7 +53,23 @@ struct Session::Impl {
   struct Waiting {
     Pending shown;
     OpenedModel model;
-    Recipe tried;  ///< what shown.made was made by
+    Recipe tried;           ///< what shown.made was made by
+    bool replaces = false;  ///< it is another version of the present model
+  };
+  /// Another version of the model, worked out for the project as it was then.
+  struct Replaced {
+    void work_out(const Project& old, Progress& progress);
+    Project before;
+    std::filesystem::path path;
+    std::shared_ptr<const PolygonSoup> source;
+    std::optional<Recipe> repairs;
+    Replacement replacement;
+    std::shared_ptr<const MadeModel> repaired;  ///< by usual_repair(), where it needs repair
+    std::string fault;
+  };
+  struct ReplaceNews {
+    std::shared_ptr<const DualGraph> dual;
+    std::shared_ptr<const ReplaceReport> report;
   };
   /// A replay being shown, and since when.
   struct Playing {
@@ -115,6 +131,15 @@ struct Session::Impl {
   void open(ModelSource source);
   void adopt(const OpenedModel& model, const Recipe& recipe, const std::shared_ptr<const MadeModel>& made);
   void replace(Project next);  ///< takes the present project's place, with a history of its own
+  void ask_about(Waiting question);
+  void repair(Waiting agreed);
+  [[nodiscard]] bool is_unrepaired() const { return !project().dual && project().source != nullptr; }
+  // Another version of the model (session_replace.cpp).
+  void begin_replacing(const std::filesystem::path& path, std::shared_ptr<const PolygonSoup> source,
+                       const std::optional<Recipe>& repairs);
+  void cancel_replacing();
+  bool take_replaced();
+  void put_in_place(const Replacement& replacement);
   void tell_about(const OpenedModel& model, const MadeModel& made);
   void make(Making wanted);
   void cancel_making();
@@ -164,7 +189,11 @@ struct Session::Impl {
 
   std::shared_ptr<Chore<Opened>> opening;
   std::optional<Waiting> waiting;
-  std::optional<RealSize> asked_size;  ///< until the user has said how tall the model shall be
+  std::optional<Waiting> answered;  ///< the question that the history's first step answered
+  std::shared_ptr<Chore<Replaced>> replacing;
+  std::vector<ReplaceNews> replace_news;
+  std::optional<std::size_t> step_of_run;  ///< the step that the running search's net belongs to
+  std::optional<RealSize> asked_size;      ///< until the user has said how tall the model shall be
   std::shared_ptr<Chore<Made>> chore_making;
   std::shared_ptr<Chore<Measured>> measuring;  ///< how far the present mesh is from the file's
   std::shared_ptr<const Measured> measured;    ///< no part of the project: knowing it is no change to save

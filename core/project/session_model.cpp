@@ -56,19 +56,26 @@ bool Session::Impl::take_opened() {
     adopt(model, {}, std::make_shared<const MadeModel>(model.made));
     return true;
   }
-  cancel_making();
-  waiting.emplace(Waiting{{}, model, usual_repair()});
-  Pending& shown = waiting->shown;
-  shown.name = model.source->name;
-  shown.report = report_on(*model.source);
-  shown.refusal = model.made.refusal;
-  shown.recipe = usual_repair();
-  shown.made = model.repaired;
+  ask_about({{}, model, usual_repair()});
   return true;
+}
+
+void Session::Impl::ask_about(Waiting question) {
+  cancel_making();
+  Pending& shown = question.shown;
+  shown.name = question.model.source->name;
+  shown.report = report_on(*question.model.source);
+  shown.refusal = question.model.made.refusal;
+  shown.recipe = question.tried;
+  shown.made = question.model.repaired;
+  waiting = std::move(question);
 }
 
 void Session::Impl::replace(Project next) {
   cancel_making();
+  cancel_replacing();
+  answered.reset();
+  replace_news.clear();
   discard_run();
   playing.reset();
   asked_size.reset();
@@ -87,7 +94,16 @@ void Session::Impl::adopt(const OpenedModel& model, const Recipe& recipe,
   next.source = model.source;
   next.recipe = recipe;
   next.made = made;
-  replace(std::move(next));
+  if (model.made.dual) {
+    replace(std::move(next));
+  } else {  // taking the repair back leads to the file as it was
+    Project unrepaired = next;
+    unrepaired.recipe = {};
+    unrepaired.dual = nullptr;
+    unrepaired.made = std::make_shared<const MadeModel>(model.made);
+    replace(std::move(unrepaired));
+    history.push("repair", std::move(next));
+  }
   keeper.adopt_saved(project(), {});
   tell_about(model, *made);
   const RealSize size = real_size(*model.source, made->dual->mesh());
@@ -200,7 +216,8 @@ bool Session::Impl::take_mesh(const std::shared_ptr<const MadeModel>& made) {
   }
   const CarriedPins carried = carry_pins(before.pins, before.dual->mesh(), model->dual->mesh());
   if (carried.n_lost > 0) say(Message::Kind::Notice, carried.sentence());
-  Project next = remake(before, making.recipe, model);
+  Project next = is_back ? before : remake(before, making.recipe, model);
+  next.made = model;
   if (continues) {
     history.amend(std::move(next));
   } else {
@@ -244,6 +261,38 @@ bool Session::Impl::take_made() {
   return true;
 }
 
+// Agreed to for a new file, for another version of the present model, or again after the repair was undone:
+// the same repairs are redone then, with all that came after them.
+void Session::Impl::repair(Waiting agreed) {
+  if (agreed.replaces) {
+    begin_replacing(agreed.model.path, agreed.model.source, agreed.tried);
+    return;
+  }
+  const bool is_asked_again = is_unrepaired() && project().source == agreed.model.source;
+  if (!is_asked_again) {
+    adopt(agreed.model, agreed.tried, agreed.shown.made);
+  } else if (history.can_redo() && history.at(history.position() + 1).recipe == agreed.tried) {
+    move_in_history(history.position() + 1);
+  } else {
+    Project next = project();
+    next.recipe = agreed.tried;
+    next.made = agreed.shown.made;
+    next.dual = next.made->dual;
+    edit("repair", std::move(next));
+  }
+  waiting.reset();
+  answered = std::move(agreed);
+}
+
+std::optional<Session::Unrepaired> Session::unrepaired() const {
+  if (!impl_->is_unrepaired()) return std::nullopt;
+  return Unrepaired{project().source->name, project().made->refusal};
+}
+
+void Session::ask_again() {
+  if (impl_->is_unrepaired() && !impl_->waiting) impl_->waiting = impl_->answered;
+}
+
 void Session::open(const std::filesystem::path& path) { impl_->open({path, {}, {}, {}}); }
 
 void Session::open_bytes(const std::string& name, std::string bytes, CompanionLookup companions) {
@@ -254,6 +303,7 @@ void Session::cancel_opening() {
   if (impl_->opening) impl_->opening->progress->cancel();
   impl_->opening = nullptr;
   impl_->opening_slot.reset();
+  impl_->cancel_replacing();
   impl_->cancel_making();
   if (impl_->waiting) impl_->waiting->shown.recipe = impl_->waiting->tried;
 }
@@ -270,9 +320,9 @@ void Session::try_pending(const Recipe& recipe) {
 
 void Session::repair_pending() {
   if (!impl_->waiting || is_making() || !impl_->waiting->shown.is_fit()) return;
-  const Impl::Waiting agreed = std::move(*impl_->waiting);
+  Impl::Waiting agreed = std::move(*impl_->waiting);
   impl_->waiting.reset();
-  impl_->adopt(agreed.model, agreed.tried, agreed.shown.made);
+  impl_->repair(std::move(agreed));
 }
 
 void Session::drop_pending() {

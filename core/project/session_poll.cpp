@@ -219,8 +219,9 @@ void Session::Impl::accept(const SolveResult& result, const RunSummary& summary)
   settled = stamp(std::make_shared<ShownNet>(
       make_shown_net(layout(project().dual, result.net.tree), result.overlaps, true)));
   Project next = accept_tree(project(), result.net.tree, summary);
-  if (making.continues_step && (is_dragging || chore_making)) {
-    has_net_in_step = true;
+  const bool is_of_drag = making.continues_step && (is_dragging || chore_making);
+  if (is_of_drag || step_of_run == history.position()) {
+    has_net_in_step = is_of_drag;
     history.amend(std::move(next));
     derive_again();
   } else {
@@ -308,6 +309,7 @@ RunFigures Session::Impl::settled_figures() const {
 bool Session::Impl::poll() {
   const std::size_t n_told = messages.size();
   bool has_changed = take_opened();
+  has_changed |= take_replaced();
   has_changed |= take_made();
   has_changed |= take_measured();
   has_changed |= take_derived();
