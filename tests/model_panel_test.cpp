@@ -195,10 +195,30 @@ TEST(ModelPanel, TheWayOfABrokenFileToANetAndAllTheWayBack) {
   EXPECT_TRUE(gui.session().recipe().merges);
   ASSERT_TRUE(until_rest(gui));
   EXPECT_EQ(gui.session().undo_label(), "Undo unfold") << "of the merged faces";
-  for (int i = 0; i < 8 && gui.session().can_undo(); ++i) gui.key('Z', kControl);
-  EXPECT_FALSE(gui.session().can_undo());
+  const std::size_t n_steps = gui.session().history().size();
+  while (gui.session().history_position() > 1) gui.key('Z', kControl);
   EXPECT_EQ(n_faces(gui), 80U);
   EXPECT_EQ(gui.session().recipe().faces, 0);
+  EXPECT_EQ(gui.session().undo_label(), "Undo repair");
+  gui.key('Z', kControl);
+  gui.frames(3);
+  EXPECT_FALSE(gui.session().can_undo());
+  EXPECT_FALSE(gui.session().has_model());
+  EXPECT_TRUE(gui.widgets.find("repair/refusal").has_value()) << "the question is there again";
+  EXPECT_TRUE(gui.widgets.find("repair/doubled_faces").has_value());
+
+  gui.click("dialog/cancel");
+  EXPECT_FALSE(gui.widgets.find("repair/refusal").has_value());
+  gui.click("unrepaired/repair");
+  EXPECT_TRUE(gui.widgets.find("repair/refusal").has_value());
+  gui.click("dialog/cancel");
+  gui.key('Y', kControl);
+  EXPECT_EQ(n_faces(gui), 80U) << "redone";
+  EXPECT_EQ(gui.session().history().size(), n_steps);
+  while (gui.session().can_redo()) gui.key('Y', kControl);
+  ASSERT_TRUE(until_rest(gui));
+  EXPECT_TRUE(gui.session().recipe().merges);
+  EXPECT_TRUE(gui.session().shown()->is_proved);
 }
 
 /// An open ball with a hole, split into facets with points of their own: a file that opens, but could be

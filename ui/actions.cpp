@@ -12,6 +12,7 @@
 #include "ui/leave.h"
 #include "ui/measure.h"
 #include "ui/pinning.h"
+#include "ui/replacing.h"
 #include "ui/run_actions.h"
 #include "ui/selection.h"
 
@@ -291,6 +292,9 @@ bool is_set(const UiContext& c) {
 const auto kActions = std::to_array<Action>({
     {ActionId::Open, "Open…", icon::kOpen, {'O', kControlBit}, "Opens a model or a project", always,
      [](UiContext& c) { c.ui.dialog = Dialog::Open; }, nullptr, nullptr},
+    {ActionId::ReplaceModel, "Replace model…", icon::kImport, {'R', kControlBit},
+     "Loads a changed version of the model and keeps pins, net and settings", needs_old_version,
+     [](UiContext& c) { c.ui.dialog = Dialog::Replace; }, nullptr, nullptr},
     {ActionId::Save, "Save", icon::kSave, {'S', kControlBit}, "Saves model, net and settings as a project",
      needs_unsaved, save_project_of, nullptr, nullptr},
     {ActionId::SaveAs, "Save as…", "", {'S', kControlBit | kShiftBit}, "Saves the project under another name",

@@ -12,6 +12,7 @@ namespace netwright {
 
 enum class ActionId {
   Open,
+  ReplaceModel,
   Save,
   SaveAs,
   Recover,

@@ -36,6 +36,8 @@ void Dialogs::take_desktop(UiContext& context) {
   if (answer->path.empty()) return;
   if (asked == Dialog::Open) {
     context.session.open(answer->path);
+  } else if (asked == Dialog::Replace) {
+    context.session.replace_model(answer->path);
   } else {
     std::filesystem::path path = answer->path;
     if (path.extension() != "." + ui.export_extension) path += "." + ui.export_extension;

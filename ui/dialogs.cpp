@@ -17,9 +17,17 @@
 namespace netwright {
 namespace {
 
-constexpr std::array<const char*, 10> kTitles{
-    "",       "Open a model or project", "Export the net",    "Keys and mouse",       "About Netwright",
-    "Repair", "Save the project",        "Save the changes?", "Recover unsaved work", "Preferences"};
+constexpr std::array<const char*, 11> kTitles{"",
+                                              "Open a model or project",
+                                              "Export the net",
+                                              "Keys and mouse",
+                                              "About Netwright",
+                                              "Repair",
+                                              "Save the project",
+                                              "Save the changes?",
+                                              "Recover unsaved work",
+                                              "Preferences",
+                                              "Replace the model"};
 
 std::vector<std::string> readable_extensions() {
   std::vector<std::string> all{std::string(kProjectExtension)};
@@ -64,7 +72,9 @@ std::string file_stem(const Session& session) {
 void Dialogs::begin(UiContext& context) {
   UiState& ui = context.ui;
   present_ = ui.dialog;
-  if (present_ == Dialog::Open) {
+  if (present_ == Dialog::Replace) {
+    if (begin_replace(context)) return;
+  } else if (present_ == Dialog::Open) {
     const auto folder = latest_folder(ui.settings);
     if (ask_desktop(context, {false, "Open a model", folder, readable_extensions()})) return;
     browser_.begin({FileBrowser::Mode::Open, folder, "", readable_extensions()});
@@ -257,6 +267,9 @@ void Dialogs::draw(UiContext& context) {
       break;
     case Dialog::Open:
       draw_open(context);
+      break;
+    case Dialog::Replace:
+      draw_replace(context);
       break;
     case Dialog::Export:
       draw_export(context);

@@ -26,6 +26,8 @@ class Dialogs {
   void finish(UiContext& context);
   void draw_open(UiContext& context);
   void draw_formats(const UiState& ui) const;  // dialog_formats.cpp
+  bool begin_replace(UiContext& context);      // dialog_replace.cpp; true when the desktop was asked
+  void draw_replace(UiContext& context);
   void choose_format(UiState& ui);
   void draw_export(UiContext& context);
   void draw_keys(UiContext& context);

@@ -58,6 +58,7 @@ void file_menu(UiContext& context) {
     }
     ImGui::EndMenu();
   }
+  entry(context, ActionId::ReplaceModel);
   entry(context, ActionId::Recover);
   ImGui::Separator();
   entry(context, ActionId::Save);

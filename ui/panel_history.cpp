@@ -17,7 +17,7 @@ std::string with_capital(std::string text) {
 }
 
 std::string step_text(const UiContext& c, const std::string& label) {
-  return label.empty() ? "Opened " + c.session.project().dual->mesh().name() : with_capital(label);
+  return label.empty() ? "Opened " + c.session.first_name() : with_capital(label);
 }
 
 void step_row(UiContext& c, std::size_t step, const std::string& text, float width) {
@@ -47,7 +47,7 @@ void step_row(UiContext& c, std::size_t step, const std::string& text, float wid
 
 void panel_history(UiContext& context) {
   UiState& ui = context.ui;
-  if (!context.session.has_model()) {
+  if (!context.session.has_model() && !context.session.unrepaired()) {
     text_muted(ui, "Open a model to begin.");
     return;
   }

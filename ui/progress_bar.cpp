@@ -70,7 +70,8 @@ void draw_progress(UiContext& context) {
     std::string percent = std::to_string(std::lround(chore->fraction() * 100)) + " %";
     const double seconds = seconds_left(chore->fraction(), context.ui.now - context.ui.chore_phase_since);
     if (seconds > 0) percent += " · about " + duration_text(std::ceil(seconds)) + " left";
-    const bool can_stop = context.session.state() == RunState::Opening || context.session.is_making();
+    const bool can_stop = context.session.state() == RunState::Opening || context.session.is_making() ||
+                          context.session.is_replacing();
     work = {chore->phase(), "", percent, chore->fraction(), can_stop};
   }
   const ImVec2 min = ImGui::GetCursorScreenPos();

@@ -61,7 +61,7 @@ bool is_one_line(const UiContext& context, float width) {
 }  // namespace
 
 float size_bar_height(const UiContext& context, float width) {
-  if (!context.session.asked_size()) return 0;
+  if (!context.session.asked_size() || !context.session.has_model()) return 0;
   const Look& look = context.ui.look;
   const float line = look.px(32 + 2 * 6);
   if (is_one_line(context, width)) return line;

@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ namespace netwright {
 class KeyFocus;
 class RunPictures;
 
-enum class Dialog { None, Open, Export, Keys, About, Repair, Save, Unsaved, Recover, Preferences };
+enum class Dialog { None, Open, Export, Keys, About, Repair, Save, Unsaved, Recover, Preferences, Replace };
 
 /// How far the net is folded up in the model's view.
 struct Folding {
@@ -145,6 +146,8 @@ struct UiState {
   std::deque<Toast> toasts;
   double toasts_held_at = -1;  ///< the last frame a dialog held the toasts back; negative while none does
 
+  std::shared_ptr<const ReplaceReport> seen_replacement;    ///< the list of it was opened,
+  std::shared_ptr<const ReplaceReport> closed_replacement;  ///< and that of this one closed
   double asked_height_mm = 0;  ///< what stands in the field of the question about the size; 0 = the usual
   RunPictures* run_pictures = nullptr;  ///< the workspace's
   KeyFocus* focus = nullptr;            ///< the workspace's

@@ -11,7 +11,9 @@
 #include "ui/frame_parts.h"
 #include "ui/messages.h"
 #include "ui/panels.h"
+#include "ui/replacing.h"
 #include "ui/size_bar.h"
+#include "ui/unrepaired_bar.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -113,6 +115,12 @@ void Workspace::draw_views(UiContext& context, ImVec2 min, ImVec2 size) {
     min.y += bar;
     size.y -= bar;
   }
+  if (const float bar = unrepaired_bar_height(context, size.x); bar > 0) {
+    area("##unrepaired", min, ImVec2(size.x, bar), ImVec2(0, 0), false,
+         [&] { draw_unrepaired_bar(context); });
+    min.y += bar;
+    size.y -= bar;
+  }
   if (const float bar = size_bar_height(context, size.x); bar > 0) {
     area("##size", min, ImVec2(size.x, bar), ImVec2(0, 0), false, [&] { draw_size_bar(context); });
     min.y += bar;
@@ -142,6 +150,7 @@ void Workspace::draw(Session& session, UiState& ui) {
   const FaceId hovered_before = ui.hovered;
   const HalfedgeId side_before = ui.hovered_side;
   take_messages(context);
+  watch_replacement(context);
   ui.centre_now = std::exchange(ui.wants_centre, FaceId());
   ui.flight_now = std::exchange(ui.wants_flight, {});
   follow_pages(context);
