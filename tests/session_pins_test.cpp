@@ -151,7 +151,7 @@ TEST_F(SessionPins, AStopOfADragHasThePinsThatTheFirstMeshWouldGiveIt) {
       session_.simplify_to(faces, true);
       EXPECT_TRUE(frames_until([&] { return !session_.is_making() && session_.recipe().faces == faces; }));
     }
-    const Constraints pins = session_.project().pins;
+    Constraints pins = session_.project().pins;
     session_.simplify_to(stops.back(), false);
     EXPECT_TRUE(frames_until_idle());
     while (session_.recipe().faces > 0) session_.undo();

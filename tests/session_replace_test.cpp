@@ -15,7 +15,7 @@ using namespace testing;
 class SessionReplace : public SessionTest {
  protected:
   std::filesystem::path write(const std::string& name, const std::string& text) {
-    const std::filesystem::path path = in_folder(name);
+    std::filesystem::path path = in_folder(name);
     std::ofstream(path) << text;
     return path;
   }
