@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/predicates.h"
 #include "core/mesh/difficulty.h"
 #include "core/project/real_size.h"
 #include "core/solve/solve.h"
@@ -89,6 +90,28 @@ TEST(MakeModel, RepairIsOnlyDoneWhenAskedFor) {
   EXPECT_EQ(repaired.dual->mesh().n_faces(), 6U);
   EXPECT_FALSE(repaired.done.empty());
   EXPECT_TRUE(has_net(repaired));
+}
+
+TEST(MakeModel, WhatItTakesForFlatPassesTheProofEvenWithManyShortSides) {
+  // The lid is 40 sides wide: measured against its width it would be flat long after its sides are not.
+  const auto rippled = [](double height) {
+    PolygonSoup drum = shapes::regular_prism(40, 1);
+    double side = 0;
+    const auto lid = drum.face(drum.n_faces() - 1);
+    for (std::size_t i = 0; i < lid.size(); ++i) {
+      const glm::dvec3& next = drum.points[static_cast<std::size_t>(lid[(i + 1) % lid.size()])];
+      side = std::max(side, glm::length(next - drum.points[static_cast<std::size_t>(lid[i])]));
+    }
+    for (std::size_t i = 0; i < lid.size(); ++i)
+      drum.points[static_cast<std::size_t>(lid[i])].y += (i % 2 == 0 ? height : -height) * side;
+    return make(shared(drum), {});
+  };
+  const MadeModel flat = rippled(0.98 * kFlatness);
+  ASSERT_TRUE(flat.dual) << flat.refusal;
+  EXPECT_TRUE(has_net(flat));
+  const MadeModel uneven = rippled(1.02 * kFlatness);
+  EXPECT_FALSE(uneven.dual);
+  EXPECT_NE(uneven.refusal.find("not flat"), std::string::npos) << uneven.refusal;
 }
 
 TEST(MakeModel, SimplifiesAndMergesToModelsThatUnfold) {

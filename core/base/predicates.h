@@ -24,7 +24,7 @@ inline constexpr double kSameCorner = 5e-11;
 /// net is laid out, and below kProofDepth.
 inline constexpr double kShownDepth = 1e-10;
 
-/// A face is flat when no corner is off its best plane by more than this share of the face's size.
+/// A face is flat when no corner is off its best plane by more than this share of its longest side.
 inline constexpr double kFlatness = 5e-4;
 
 /// Folds bent by less than this (radians, one degree) are not drawn: they cannot be felt on paper.

@@ -42,7 +42,7 @@ void DualGraph::flatten_faces() {
   const Mesh& m = *mesh_;
   flat_.assign(m.n_halfedges(), glm::dvec2(0));
   for (const FaceId f : m.faces()) {
-    if (m.unevenness(f) > kFlatness) {
+    if (m.side_unevenness(f) > kFlatness) {
       char text[160];
       std::snprintf(text, sizeof text,
                     "face %d is not flat (a corner is off its plane by %.2g %% of its size)",

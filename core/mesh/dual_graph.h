@@ -13,7 +13,7 @@ namespace netwright {
 
 class DualGraph {
  public:
-  /// Throws Error(Unfit) when a face is not flat (unevenness over kFlatness), saying how far off it is.
+  /// Throws Error(Unfit) when a face is not flat (side_unevenness over kFlatness), saying how far off it is.
   /// `hidden`: edges whose folds are not to be drawn.
   explicit DualGraph(std::shared_ptr<const Mesh> mesh, const std::vector<EdgeId>& hidden = {});
 

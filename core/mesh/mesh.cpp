@@ -78,8 +78,10 @@ void Mesh::measure_faces() {
     for (const HalfedgeId h : halfedges(f)) centre += position(h) / static_cast<double>(degree(f));
     glm::dvec3 vector_area(0);
     double size = 0;
+    double longest_side = 0;
     for (const HalfedgeId h : halfedges(f)) {
       vector_area += glm::cross(position(h) - centre, position(next(h)) - centre) * 0.5;
+      longest_side = std::max(longest_side, glm::length(position(next(h)) - position(h)));
       for (const HalfedgeId k : halfedges(f)) size = std::max(size, glm::length(position(h) - position(k)));
     }
     const double area = glm::length(vector_area);
@@ -95,6 +97,7 @@ void Mesh::measure_faces() {
     areas_.push_back(area);
     sizes_.push_back(size);
     unevenness_.push_back(degree(f) == 3 ? 0 : off / size);
+    side_unevenness_.push_back(degree(f) == 3 ? 0 : off / longest_side);
   }
 }
 

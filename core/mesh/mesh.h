@@ -74,8 +74,11 @@ class Mesh {
   [[nodiscard]] double area(FaceId f) const { return areas_[f]; }
   /// Longest side or diagonal of the face.
   [[nodiscard]] double size(FaceId f) const { return sizes_[f]; }
-  /// Largest distance of a corner from the best plane, as a share of the face's size (flat: <= kFlatness).
+  /// Largest distance of a corner from the best plane, as a share of the face's size.
   [[nodiscard]] double unevenness(FaceId f) const { return unevenness_[f]; }
+  /// The same as a share of the face's longest side, as the proof has it (flat: <= kFlatness). A disc of many
+  /// short sides would lose far more of them, laid flat, than its width tells.
+  [[nodiscard]] double side_unevenness(FaceId f) const { return side_unevenness_[f]; }
   [[nodiscard]] double length(EdgeId e) const {
     const HalfedgeId h = edge_halfedge_[e];
     return glm::length(position(to(h)) - position(from(h)));
@@ -127,6 +130,7 @@ class Mesh {
   IdVector<FaceId, double> areas_;
   IdVector<FaceId, double> sizes_;
   IdVector<FaceId, double> unevenness_;
+  IdVector<FaceId, double> side_unevenness_;
   IdVector<FaceId, int> component_;
   IdVector<FaceId, int> face_source_;
   IdVector<FaceId, char> is_flipped_;

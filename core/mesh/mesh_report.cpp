@@ -302,7 +302,7 @@ MeshReport report_on(const Mesh& mesh) {
   std::vector<FaceId> uneven;
   for (const FaceId f : mesh.faces()) {
     report.worst_unevenness = std::max(report.worst_unevenness, mesh.unevenness(f));
-    if (mesh.unevenness(f) > kFlatness) uneven.push_back(f);
+    if (mesh.side_unevenness(f) > kFlatness) uneven.push_back(f);
   }
   std::ranges::sort(uneven, [&](FaceId a, FaceId b) { return mesh.unevenness(a) > mesh.unevenness(b); });
   std::vector<int> sources;

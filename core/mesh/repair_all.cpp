@@ -214,7 +214,7 @@ RepairSurvey survey_repairs(const PolygonSoup& soup, const Repairs& repairs, Pro
   walk(way, repairs, progress, &survey);
   int n_uneven = 0;
   for (int f = 0; f < way.soup().n_faces(); ++f)
-    n_uneven += repair::measure_face(way.soup(), f).unevenness > kFlatness ? 1 : 0;
+    n_uneven += repair::measure_face(way.soup(), f).side_unevenness > kFlatness ? 1 : 0;
   survey.counts.push_back({RepairStep::UnevenFaces, n_uneven, n_uneven, {}});
   std::erase_if(survey.counts, [](const RepairCount& count) { return count.found == 0; });
   return survey;

@@ -35,7 +35,7 @@ void look_at_faces(const PolygonSoup& soup, Findings& found) {
     const FaceMeasure measure = measure_face(soup, f);
     if (!measure.has_area) found.zero_area_faces.push_back(f);
     found.worst_unevenness = std::max(found.worst_unevenness, measure.unevenness);
-    if (measure.unevenness > kFlatness) uneven.emplace_back(-measure.unevenness, f);
+    if (measure.side_unevenness > kFlatness) uneven.emplace_back(-measure.unevenness, f);
   }
   std::ranges::sort(uneven);
   for (const auto& [unevenness, face] : uneven) found.uneven_faces.push_back(face);

@@ -140,7 +140,7 @@ class Filler {
     }
     face.add_face(corners);
     const repair::FaceMeasure measure = repair::measure_face(face, 0);
-    if (!measure.has_area || measure.unevenness > kFlatness) return false;
+    if (!measure.has_area || measure.side_unevenness > kFlatness) return false;
     const glm::dvec3 x =
         glm::normalize(face.points[1] - face.points[0] -
                        measure.normal * glm::dot(face.points[1] - face.points[0], measure.normal));

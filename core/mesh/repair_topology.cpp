@@ -123,9 +123,13 @@ FaceMeasure measure_face(const PolygonSoup& soup, int f) {
   measure.normal = vector_area / area;
   if (face.size() == 3) return measure;
   double off = 0;
-  for (std::size_t i = 0; i < face.size(); ++i)
+  double longest_side = 0;
+  for (std::size_t i = 0; i < face.size(); ++i) {
     off = std::max(off, std::abs(glm::dot(at(i) - measure.centre, measure.normal)));
+    longest_side = std::max(longest_side, glm::length(at(i + 1) - at(i)));
+  }
   measure.unevenness = off / measure.size;
+  measure.side_unevenness = off / longest_side;
   return measure;
 }
 

@@ -115,6 +115,7 @@ struct FaceMeasure {
   double size = 0;
   double unevenness = 0;
   bool has_area = false;
+  double side_unevenness = 0;  ///< both as Mesh has them
 };
 FaceMeasure measure_face(const PolygonSoup& soup, int f);
 

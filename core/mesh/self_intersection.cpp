@@ -245,7 +245,8 @@ SelfIntersections find_self_intersections(const Mesh& mesh) {
   Faces faces;
   for (const FaceId f : mesh.faces()) {
     for (const HalfedgeId h : mesh.halfedges(f)) faces.corners.push_back(mesh.position(h));
-    faces.finish_face({mesh.centre(f), mesh.normal(f), mesh.size(f), mesh.unevenness(f), true});
+    faces.finish_face(
+        {mesh.centre(f), mesh.normal(f), mesh.size(f), mesh.unevenness(f), true, mesh.side_unevenness(f)});
   }
   return find_crossings(faces);
 }

@@ -40,7 +40,7 @@ class FaceSplitter {
     }
     copy_what_stays();
     for (const FaceId f : mesh.faces()) {
-      if (mesh.unevenness(f) > kSplitFrom) {
+      if (mesh.side_unevenness(f) > kSplitFrom) {
         split(f);
         ++result_.n_split;
       } else {
