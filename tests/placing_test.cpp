@@ -180,7 +180,8 @@ TEST(Placing, AnotherNetOrPaperIsArrangedAnew) {
   Project project = solved_pair();
   project.placed = as_it_lies(*derived_of(project));
   EXPECT_TRUE(set_paper(project, {"A3", Orientation::Auto, 10}).placed.is_automatic());
-  EXPECT_TRUE(set_size(project, {PrintSize::Kind::Height, 40}).placed.is_automatic());
+  EXPECT_TRUE(set_size(project, {PrintSize::Kind::Height, 500}).placed.is_automatic()) << "does not fit";
+  EXPECT_TRUE(set_size(project, PrintSize()).placed.is_automatic()) << "fitting is arranging";
   EXPECT_TRUE(accept_tree(project, *project.tree, {}).placed.is_automatic());
   Progress progress;
   const Replacement newer = replace_model(project, "newer.obj", project.source, std::nullopt, progress);
@@ -190,6 +191,25 @@ TEST(Placing, AnotherNetOrPaperIsArrangedAnew) {
   const auto rerooted = derived_of(pin_root(project, FaceId(3)));
   ASSERT_TRUE(rerooted->sheets);
   EXPECT_TRUE(rerooted->misplaced.is_nothing());
+}
+
+TEST(Placing, SmallerPiecesKeepTheirPlacesAndAngles) {
+  Project project = solved_pair();
+  const auto automatic = derived_of(project);
+  project.placed = as_it_lies(*automatic);
+  const Net& net = automatic->shown->net;
+  const double height = automatic->pages->model_height_mm / 2;
+  const Project smaller = set_size(project, {PrintSize::Kind::Height, height});
+  ASSERT_FALSE(smaller.placed.is_automatic());
+  const auto derived = derived_of(smaller);
+  ASSERT_TRUE(derived->sheets);
+  EXPECT_NEAR(derived->pages->model_height_mm, height, 1e-9);
+  for (const int piece : {0, 1}) {
+    const Box2 was = box_of(net, *automatic->pages, piece);
+    const Box2 is = box_of(derived->shown->net, *derived->pages, piece);
+    EXPECT_NEAR(glm::distance(is.centre(), was.centre()), 0, 1e-9);
+    EXPECT_NEAR(glm::distance(is.size(), was.size() / 2.0), 0, 1e-9);
+  }
 }
 
 TEST(Placing, SavedAndOpenedAgainThePiecesLieTheSame) {

@@ -202,9 +202,11 @@ void hover_hint(UiContext& c, bool is_on_handle) {
   if (is_on_handle) {
     c.ui.hint = "Drag turns: snaps to 15° and to edges, Ctrl turns freely";
   } else if (a.hovered >= 0) {
-    c.ui.hint = (chosen_pieces(c).size() > 1 ? pieces_hint(c) + " · " : "") + "Piece " +
-                std::to_string(a.hovered + 1) + " of " + std::to_string(shown_of(c).net.n_pieces) +
-                " · drag moves it · Shift+click adds it";
+    c.ui.hint = shown_of(c).net.n_pieces == 1
+                    ? arranging_hint(c)
+                    : (chosen_pieces(c).size() > 1 ? pieces_hint(c) + " · " : "") + "Piece " +
+                          std::to_string(a.hovered + 1) + " of " + std::to_string(shown_of(c).net.n_pieces) +
+                          " · drag moves it · Shift+click adds it";
   } else {
     c.ui.hint = arranging_hint(c);
   }

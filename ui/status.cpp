@@ -27,8 +27,7 @@ void add(std::string& text, const std::string& part) {
 std::string overlaps_text(int n) { return counted(n, "overlap", "overlaps"); }
 
 std::string pieces_text(const ShownNet& shown) {
-  return shown.net.n_pieces == 1 ? "one piece, proved"
-                                 : counted(shown.net.n_pieces, "piece", "pieces") + ", proved";
+  return shown.net.n_pieces == 1 ? "one piece" : counted(shown.net.n_pieces, "piece", "pieces");
 }
 
 void add_run(std::string& text, const RunFigures& figures, bool is_running) {
@@ -61,9 +60,10 @@ Status idle_status(const Session& session) {
     add(status.text, status.in_short);
     return status;
   }
+  const bool is_misplaced = session.misplaced() != nullptr;
   if (shown->is_proved) {
-    status.tone = Tone::Good;
-    status.in_short = pieces_text(*shown);
+    status.tone = is_misplaced ? Tone::Bad : Tone::Good;
+    status.in_short = pieces_text(*shown) + (is_misplaced ? ", misplaced" : ", proved");
   } else {
     status.tone = Tone::Bad;
     const bool is_apart = shown->net.n_pieces > static_cast<int>(shown->net.mesh().n_components());
@@ -73,10 +73,6 @@ Status idle_status(const Session& session) {
     } else if (!is_apart) {
       status.in_short = "not proved";
     }
-  }
-  if (session.misplaced() != nullptr) {
-    status.tone = Tone::Bad;
-    add(status.in_short, "misplaced");
   }
   if (session.viewed_run() != 0) {
     const bool is_found = !session.timeline() || session.timeline()->position == session.timeline()->home;

@@ -3,9 +3,29 @@
 
 #include <array>
 
+#include "core/base/error.h"
 #include "core/project/carry_pins.h"
+#include "core/sheet/placing_edits.h"
 
 namespace netwright {
+
+namespace {
+
+/// Where the pieces lie at another size; automatic when they would not fit as they lie.
+HandLayout placed_at(const Project& project, const PrintSize& size) {
+  const bool is_known = size.kind == PrintSize::Kind::Height && size.height_mm > 0;
+  if (project.placed.is_automatic() || !is_known || !(project.dual->mesh().height() > 0)) return {};
+  try {
+    const Net net = layout(project.dual, *project.tree);
+    const std::optional<PageLayout> pages = lay_out(net, project.paper, project.placed);
+    if (!pages) return {};
+    return resize_pieces(net, project.paper, *pages, size.height_mm / project.dual->mesh().height());
+  } catch (const Error&) {
+    return {};  // paper without room: that is told where the pages are made
+  }
+}
+
+}  // namespace
 
 Project new_project(const Project& before, std::filesystem::path path,
                     std::shared_ptr<const DualGraph> dual) {
@@ -99,8 +119,8 @@ Project set_paper(Project project, const PaperSetup& paper) {
 }
 
 Project set_size(Project project, const PrintSize& size) {
+  project.placed = placed_at(project, size);
   project.size = size;
-  project.placed = {};
   return project;
 }
 

@@ -37,7 +37,8 @@ Project set_paper(Project project, const PaperSetup& paper);
 Project set_size(Project project, const PrintSize& size);
 
 /// The pieces lie where the user wants them; an empty layout arranges them by themselves again. They stay so
-/// while the tree is edited by hand, and are arranged anew for another tree, other paper and another size.
+/// while the tree is edited by hand, and are arranged anew for another tree, other paper, and another size at
+/// which they would not fit as they lie.
 Project place_pieces(Project project, const HandLayout& placed);
 
 }  // namespace netwright

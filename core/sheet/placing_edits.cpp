@@ -78,6 +78,24 @@ HandLayout move_pieces(const Net& net, const PageLayout& layout, const std::vect
   return placed;
 }
 
+HandLayout resize_pieces(const Net& net, const PaperSetup& paper, const PageLayout& layout, double scale) {
+  const bool has_tiles = std::any_of(layout.canvases.begin(), layout.canvases.end(),
+                                     [](const PageLayout::Canvas& canvas) { return canvas.is_tiled(); });
+  if (has_tiles) return {};
+  HandLayout placed = as_placed(net, layout);
+  for (HandLayout::Place& place : placed.places) {
+    const glm::dvec2 middle = box_on_canvas(net, layout, net.piece[place.face]).centre();
+    const glm::dvec2 centre(middle.x, -middle.y);
+    const glm::dvec2 in_face = place.turn.inverse()(centre) * (scale / layout.scale);
+    const glm::dvec2 offset = centre - place.turn.rotate(in_face);
+    place.turn.x = offset.x;
+    place.turn.y = offset.y;
+  }
+  placed.scale = scale;
+  const std::optional<PageLayout> resized = lay_out(net, paper, placed);
+  return resized && find_misplaced(net, *resized).is_nothing() ? placed : HandLayout();
+}
+
 Box2 box_on_canvas(const Net& net, const PageLayout& layout, int piece) {
   Box2 box;
   for (const FaceId f : net.mesh().faces()) {

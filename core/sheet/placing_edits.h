@@ -18,6 +18,10 @@ struct PieceMotion {
 /// The layout with these pieces moved; sheets that nothing lies on any more are gone.
 HandLayout move_pieces(const Net& net, const PageLayout& layout, const std::vector<PieceMotion>& motions);
 
+/// The layout at another scale: every piece keeps its angle and the middle of its box. Automatic when pieces
+/// would be misplaced then, or lie on tiles, whose number depends on the size.
+HandLayout resize_pieces(const Net& net, const PaperSetup& paper, const PageLayout& layout, double scale);
+
 enum class Align { Left, Right, Top, Bottom, CentreAcross, CentreUpright };
 
 /// Several pieces are aligned with each other, each on its own sheet: the outermost one stays, or the common
