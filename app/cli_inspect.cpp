@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/cli_commands.h"
+#include "app/cli_recipe.h"
 #include "app/cli_report.h"
 #include "core/base/counted.h"
 #include "core/base/error.h"
@@ -61,21 +62,20 @@ Json finding_json(const MeshReport::Line& line) {
 struct Prospect {
   std::vector<std::string> steps;
   bool is_repairable = false;
-  std::shared_ptr<const Mesh> mesh{};
 };
 
 Prospect try_repair(const PolygonSoup& soup, const PreparedModel& model) {
   if (model.is_fit()) return {};
   Progress progress;
   const RepairResult result = repair_all(soup, {}, progress);
-  return {result.done, result.is_fit(), result.prepared.mesh};
+  return {result.done, result.is_fit()};
 }
 
-/// The parts of what would be unfolded, numbered as --leave-out has them; none when there is only one.
-std::vector<ModelPart> separate_parts(const PreparedModel& model, const Prospect& prospect) {
-  const std::shared_ptr<const Mesh> mesh = model.is_fit() ? model.mesh : prospect.mesh;
-  if (!mesh || mesh->n_components() < 2) return {};
-  return parts_of(*mesh);
+/// None when there is only one.
+std::vector<ModelPart> separate_parts(const PolygonSoup& soup, const PreparedModel& model) {
+  Progress progress;
+  std::vector<ModelPart> parts = listed_parts(soup, model, progress).parts;
+  return parts.size() < 2 ? std::vector<ModelPart>() : parts;
 }
 
 Json part_json(const ModelPart& part) {
@@ -116,7 +116,7 @@ Json full_json(const PolygonSoup& soup, const MeshReport& report, const Prepared
   json.set("repairable", prospect.is_repairable);
   json.set("repair", steps);
   Json parts{Json::Array{}};
-  for (const ModelPart& part : separate_parts(model, prospect)) parts.add(part_json(part));
+  for (const ModelPart& part : separate_parts(soup, model)) parts.add(part_json(part));
   json.set("parts", parts);
   return json;
 }
@@ -211,7 +211,7 @@ int run_info(const InfoCommand& command) {
   print(soup.name);
   for (const MeshReport::Line& line : report.lines) print("  " + prefix(line.kind) + line.text);
   const Prospect prospect = try_repair(soup, model);
-  print_parts(separate_parts(model, prospect));
+  print_parts(separate_parts(soup, model));
   if (model.is_fit()) {
     print("Fit to unfold.");
     return kGood;

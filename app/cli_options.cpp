@@ -200,7 +200,8 @@ class Reader {
         ->type_name("EDGES")
         ->check(within(3, 2000000000, "a number of edges, 3 or more"));
     app.add_option("--leave-out", leave_out_,
-                   "Parts that get no piece: those inside others, small ones, or numbers as info lists them")
+                   "Parts that get no piece: those inside others, small ones, or numbers as info lists them, "
+                   "whatever --weld or --repair join")
         ->type_name("inner|small|N,…")
         ->delimiter(',')
         ->allow_extra_args(false)

@@ -81,6 +81,34 @@ TEST_F(CommandLine, InfoListsPartsAndUnfoldLeavesThemOut) {
   expect_refusal(run({"unfold", model, "--leave-out", "outer"}), "inner, small");
 }
 
+TEST_F(CommandLine, PartsKeepTheirNumbersWhateverIsWelded) {
+  // Two halves of a box that a hair's breadth parts, and a small cube: welded, the box is one part.
+  PolygonSoup box = shapes::cuboid({4, 4, 4});
+  PolygonSoup halves;
+  for (int f = 0; f < box.n_faces(); ++f) {
+    std::vector<int> corners;
+    for (const int c : box.face(f)) {
+      glm::dvec3 p = box.points[static_cast<std::size_t>(c)];
+      if (f >= 3) p += glm::dvec3(1e-4);
+      corners.push_back(static_cast<int>(halves.points.size()));
+      halves.points.push_back(p);
+    }
+    halves.add_face(corners);
+  }
+  const std::string model = write("halves.obj", shapes::combined(halves, shapes::cube(1), {12, 0, 0}));
+  const auto parts = [&](const Json& json) { return json.find("parts")->array()->size(); };
+  const std::size_t n_parts = parts(run_json({"info", model, "--json"}, 0));
+  ASSERT_GE(n_parts, 3U);
+  const std::string last = std::to_string(n_parts);
+  EXPECT_EQ(run_json({"unfold", model, "--json", "--weld", "1"}, 0).find("pieces")->integer(), 2);
+  EXPECT_EQ(
+      run_json({"unfold", model, "--json", "--weld", "1", "--leave-out", last}, 0).find("faces")->integer(),
+      6);
+  EXPECT_EQ(
+      run_json({"unfold", model, "--json", "--weld", "1", "--leave-out", "1"}, 0).find("faces")->integer(), 6)
+      << "what is welded to a part that is left out goes with it";
+}
+
 TEST_F(CommandLine, SingleRepairsAreDoneAsAskedFor) {
   PolygonSoup ball = shapes::icosphere(2);
   ball.corners.resize(ball.corners.size() - 3);
