@@ -19,17 +19,19 @@ Keeper::~Keeper() {
 std::shared_ptr<Keeper::Job> Keeper::write(const Project& project, const std::filesystem::path& file,
                                            const std::filesystem::path& belongs_to) {
   auto job = std::make_shared<Job>(bell_, project, file, n_adopted_);
-  worker_.submit(Worker::Lane::Chores, [job, belongs_to, pictures = pictures_](Progress& progress) {
-    const std::string name = job->file.filename().string();
-    progress.set_phase("Saving " + name);
-    auto written = std::make_shared<Written>();
-    try {
-      save_project(job->project, job->file, belongs_to, pictures.get());
-    } catch (...) {
-      written->fault = sentence_for_current_exception("Saving " + name);
-    }
-    job->result.post(std::move(written));
-  });
+  worker_.submit(Worker::Lane::Chores,
+                 [job, belongs_to, pictures = pictures_,
+                  runs = runs_of_ ? runs_of_(project) : std::vector<KeptRun>()](Progress& progress) {
+                   const std::string name = job->file.filename().string();
+                   progress.set_phase("Saving " + name);
+                   auto written = std::make_shared<Written>();
+                   try {
+                     save_project(job->project, job->file, belongs_to, pictures.get(), runs);
+                   } catch (...) {
+                     written->fault = sentence_for_current_exception("Saving " + name);
+                   }
+                   job->result.post(std::move(written));
+                 });
   return job;
 }
 

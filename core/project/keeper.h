@@ -32,6 +32,10 @@ class Keeper {
   /// The worker need not be alive yet, and must be when anything but this is called.
   Keeper(Worker& worker, std::shared_ptr<const Bell> bell) : worker_(worker), bell_(std::move(bell)) {}
   ~Keeper();  ///< to be called when the worker is gone
+  /// Asked at every writing for the runs that go with the project.
+  void set_runs(std::function<std::vector<KeptRun>(const Project&)> runs_of) {
+    runs_of_ = std::move(runs_of);
+  }
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
 
@@ -86,6 +90,7 @@ class Keeper {
 
   Worker& worker_;
   std::shared_ptr<const Bell> bell_;
+  std::function<std::vector<KeptRun>(const Project&)> runs_of_;
   std::shared_ptr<PictureCache> pictures_ = std::make_shared<PictureCache>();  ///< used by the chores alone
   int n_adopted_ = 0;
   Project saved_;  ///< as it is in file_, or as it was when its model was opened

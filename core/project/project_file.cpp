@@ -216,8 +216,9 @@ bool is_project_file(const fs::path& path) {
   return has_project_name(path) || (fs::is_regular_file(path, ignored) && is_project(read_head(path)));
 }
 
-std::string project_bytes(const Project& project, const fs::path& belongs_to, PictureCache* cache) {
-  const ProjectParts parts = to_parts(project, belongs_to, cache);
+std::string project_bytes(const Project& project, const fs::path& belongs_to, PictureCache* cache,
+                          const std::vector<KeptRun>& runs) {
+  const ProjectParts parts = to_parts(project, belongs_to, cache, runs);
   const std::string thumbnail = encode_png(draw_thumbnail(*project.dual, kThumbnailSide));
   ArchiveWriter archive;
   archive.add(kMimeTypeEntry, kProjectMimeType, false);
@@ -249,8 +250,8 @@ StoredProject parse_project(std::string_view bytes, const std::string& name) {
 }
 
 void save_project(const Project& project, const fs::path& path, const fs::path& belongs_to,
-                  PictureCache* cache) {
-  const std::string bytes = project_bytes(project, belongs_to, cache);
+                  PictureCache* cache, const std::vector<KeptRun>& runs) {
+  const std::string bytes = project_bytes(project, belongs_to, cache, runs);
   if (bytes.size() > kMaxFileBytes)
     throw Error(ErrorKind::Write,
                 path.filename().string() + " would be larger than 1 GB; give the model smaller textures.");

@@ -22,7 +22,7 @@ bool has_project_name(const std::filesystem::path& path);
 
 /// The project must have a model. The same project gives the same bytes.
 std::string project_bytes(const Project& project, const std::filesystem::path& belongs_to = {},
-                          PictureCache* cache = nullptr);
+                          PictureCache* cache = nullptr, const std::vector<KeptRun>& runs = {});
 
 /// Counts and sizes are bounded before memory is taken, and a net that the file calls proved is proved again.
 /// `name` is what messages call the file. Throws Error(Read) with one sentence.
@@ -31,7 +31,8 @@ StoredProject parse_project(std::string_view bytes, const std::string& name);
 /// Writes beside the file, flushes, reads that back as a project, and only then lets it take the old file's
 /// place. Throws Error(Write) with one sentence; the old file is then as it was.
 void save_project(const Project& project, const std::filesystem::path& path,
-                  const std::filesystem::path& belongs_to = {}, PictureCache* cache = nullptr);
+                  const std::filesystem::path& belongs_to = {}, PictureCache* cache = nullptr,
+                  const std::vector<KeptRun>& runs = {});
 
 StoredProject load_project(const std::filesystem::path& path);
 

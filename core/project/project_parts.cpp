@@ -178,6 +178,17 @@ Json run_json(const RunSummary& run) {
 }
 
 /// Per piece a face, its canvas, and the turn of the face on it.
+Json runs_json(const std::vector<KeptRun>& runs, const Mesh& mesh) {
+  Json json{Json::Array{}};
+  for (const KeptRun& run : runs) {
+    Json one;
+    one.set("run", run_json(run.summary));
+    one.set("tree", tree_json(*run.tree, mesh));
+    json.add(std::move(one));
+  }
+  return json;
+}
+
 Json placed_json(const HandLayout& placed) {
   Json canvases{Json::Array{}};
   for (const HandLayout::Canvas& canvas : placed.canvases) canvases.add(canvas.columns).add(canvas.rows);
@@ -199,7 +210,8 @@ Json placed_json(const HandLayout& placed) {
   return json;
 }
 
-Json project_json(const Project& project, const std::filesystem::path& belongs_to, Pictures& pictures) {
+Json project_json(const Project& project, const std::filesystem::path& belongs_to, Pictures& pictures,
+                  const std::vector<KeptRun>& runs) {
   const MadeModel& made = *project.made;
   const Mesh& mesh = project.dual->mesh();
   Json json;
@@ -223,6 +235,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   json.set("seed", seed_json(project.seed));
   if (project.tree) json.set("tree", tree_json(*project.tree, mesh));
   if (project.run) json.set("run", run_json(*project.run));
+  if (!runs.empty()) json.set("runs", runs_json(runs, mesh));
   Json paper;
   paper.set("format", project.paper.format);
   paper.set("orientation", word(kOrientation, project.paper.orientation));
@@ -238,10 +251,11 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
 
 }  // namespace
 
-ProjectParts to_parts(const Project& project, const std::filesystem::path& belongs_to, PictureCache* cache) {
+ProjectParts to_parts(const Project& project, const std::filesystem::path& belongs_to, PictureCache* cache,
+                      const std::vector<KeptRun>& runs) {
   Pictures pictures(cache);
   ProjectParts parts;
-  parts.json = to_text(project_json(project, belongs_to, pictures), {.is_indented = true});
+  parts.json = to_text(project_json(project, belongs_to, pictures, runs), {.is_indented = true});
   StoredShape source;
   source.soup = *project.source;
   parts.source = shape_bytes(source);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/image.h"
+#include "core/project/kept_runs.h"
 #include "core/project/project.h"
 
 namespace netwright {
@@ -26,6 +27,7 @@ struct ProjectParts {
 struct StoredProject {
   Project project;
   std::filesystem::path belongs_to;
+  std::vector<KeptRun> runs;  ///< of the project's mesh; that they are proved is only what the file says
 };
 
 /// Pictures that were packed before; packing a large one takes a second. Used by one thread at a time.
@@ -37,7 +39,8 @@ struct PictureCache {
 inline constexpr int kProjectFormat = 1;
 
 /// The project must have a model. `cache` may be null.
-ProjectParts to_parts(const Project& project, const std::filesystem::path& belongs_to, PictureCache* cache);
+ProjectParts to_parts(const Project& project, const std::filesystem::path& belongs_to, PictureCache* cache,
+                      const std::vector<KeptRun>& runs = {});
 
 /// Meshes are taken as they were stored, not made again from the recipe, so a later Netwright that would make
 /// them otherwise still shows the same net. `file` is what messages call the file.

@@ -47,7 +47,8 @@ class Reader {
     project.seed = seed(fields);
     project.pins = read_pins(project, fields.object("pins"), "the pins");
     project.edits = read_pins(project, fields.object("edits"), "the edits");
-    read_tree(project, fields);
+    project.tree = read_tree(project.dual->mesh(), fields);
+    stored.runs = read_runs(project.dual->mesh(), fields);
     if (fields.has("run")) project.run = read_run(fields.object("run"));
     if (project.run && !project.tree) fields.refuse("run", "led to no tree");
     static_cast<void>(fields.object("run"));
@@ -281,11 +282,10 @@ class Reader {
     return pins;
   }
 
-  static void read_tree(Project& project, JsonFields& fields) {
+  static std::shared_ptr<const UnfoldTree> read_tree(const Mesh& mesh, JsonFields& fields) {
     const bool has_tree = fields.has("tree");
     const std::vector<int> corners = fields.integers("tree", -1, kMostInt);
-    if (!has_tree) return;
-    const Mesh& mesh = project.dual->mesh();
+    if (!has_tree) return nullptr;
     if (corners.size() != mesh.n_faces()) fields.refuse("tree", "is not one of this mesh");
     UnfoldTree tree(mesh.n_faces());
     for (const FaceId f : mesh.faces()) {
@@ -294,7 +294,22 @@ class Reader {
       if (corner >= 0) tree.set_parent(f, HalfedgeId(mesh.first(f).value + corner));
     }
     if (!tree.is_forest(mesh)) fields.refuse("tree", "does not hang together");
-    project.tree = std::make_shared<const UnfoldTree>(std::move(tree));
+    return std::make_shared<const UnfoldTree>(std::move(tree));
+  }
+
+  std::vector<KeptRun> read_runs(const Mesh& mesh, JsonFields& fields) const {
+    std::vector<KeptRun> runs;
+    const Json::Array* const items = fields.array("runs");
+    if (items == nullptr) return runs;
+    if (items->size() > kMostKeptRuns) fields.refuse("runs", "are more than any project keeps");
+    for (const Json& item : *items) {
+      JsonFields one(&item, file_, "a run");
+      const RunSummary summary = read_run(one.object("run"));
+      runs.push_back({read_tree(mesh, one), summary});
+      if (!runs.back().tree) one.refuse("tree", "is missing");
+      one.finish();
+    }
+    return runs;
   }
 
   RunSummary read_run(const Json* json) const {

@@ -13,6 +13,10 @@
 
 namespace netwright {
 
+/// Pixels of a run's picture: sharp in the list at twice the usual scale.
+inline constexpr int kRunPictureWidth = 156;
+inline constexpr int kRunPictureHeight = 128;
+
 struct FinishedRun {
   int number = 0;                         ///< counted from 1 since the file was opened
   std::shared_ptr<const DualGraph> dual;  ///< the mesh it unfolded

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/project/open_model.h"
+#include "core/project/run_list.h"
 
 namespace netwright {
 
@@ -17,10 +18,6 @@ constexpr double kFollowable = 5;
 /// The rate is measured over at least this time, then blended in, so that the number can be read.
 constexpr double kRateSeconds = 0.25;
 constexpr double kRateBlend = 0.4;
-
-/// Pixels: sharp in the list at twice the usual scale.
-constexpr int kPictureWidth = 156;
-constexpr int kPictureHeight = 128;
 
 /// Stands for no stream of its own: the moves of all of them count.
 constexpr int kAllStreams = -1;
@@ -58,7 +55,7 @@ void SearchRun::work(Channel& channel, std::shared_ptr<const DualGraph> dual, co
     outcome->result = solve(std::move(dual), options, progress, hooks);
     if (!outcome->result->net.placement.empty()) {
       outcome->measures = measure(outcome->result->net);
-      outcome->picture = net_picture(outcome->result->net, kPictureWidth, kPictureHeight);
+      outcome->picture = net_picture(outcome->result->net, kRunPictureWidth, kRunPictureHeight);
     }
     if (!outcome->result->log.empty()) outcome->log = std::make_shared<const RunLog>(*outcome->result);
   } catch (...) {

@@ -9,7 +9,9 @@
 
 namespace netwright {
 
-Session::Impl::Impl(Clock clock_function) : clock(std::move(clock_function)) {}
+Session::Impl::Impl(Clock clock_function) : clock(std::move(clock_function)) {
+  keeper.set_runs([this](const Project& saved) { return runs_to_keep(runs, saved.dual); });
+}
 
 Session::Impl::~Impl() {
   bell->set_listener({});

@@ -11,10 +11,11 @@ using Kind = Message::Kind;
 
 }  // namespace
 
-void Session::Impl::take_stored(const StoredProject& stored) {
+void Session::Impl::take_stored(const StoredProject& stored, const std::vector<FinishedRun>& finished) {
   std::error_code ignored;
   const std::filesystem::path opened = std::filesystem::absolute(std::exchange(opening_file, {}), ignored);
   replace(stored.project);
+  for (const FinishedRun& one : finished) runs.add(one);
   if (opening_slot) {
     std::erase_if(leftovers, [&](const Leftover& leftover) { return leftover.file == opening_slot->file(); });
     keeper.adopt_unsaved(project(), stored.belongs_to, std::move(*opening_slot));

@@ -32,6 +32,7 @@ struct Session::Impl {
   struct Opened {
     std::optional<OpenedModel> model;
     std::optional<StoredProject> stored;
+    std::vector<FinishedRun> runs;  ///< of the stored project
     std::string fault;
   };
   struct Made {
@@ -100,7 +101,7 @@ struct Session::Impl {
   // Taking in what the worker finished (session_poll.cpp); each tells whether anything changed.
   bool poll();
   bool take_opened();
-  void take_stored(const StoredProject& stored);
+  void take_stored(const StoredProject& stored, const std::vector<FinishedRun>& finished);
   bool take_leftovers();
   bool watch_files();
   bool take_made();

@@ -27,6 +27,7 @@ void Session::Impl::open(ModelSource source) {
             MadeModel made = *project.made;
             add_survey(made, progress);
             project.made = std::make_shared<const MadeModel>(std::move(made));
+            opened->runs = finished_again(project.dual, opened->stored->runs, progress);
           } else {
             opened->model = open_model(model, progress);
           }
@@ -43,7 +44,7 @@ bool Session::Impl::take_opened() {
   opening = nullptr;
   waiting.reset();
   if (opened->stored) {
-    take_stored(*opened->stored);
+    take_stored(*opened->stored, opened->runs);
     return true;
   }
   opening_slot.reset();
