@@ -11,7 +11,7 @@ namespace netwright {
 void side_panel(UiContext& context);
 
 void panel_model(UiContext& context);
-/// Parts of the model's section: what was kept of the version before, which repairs, which parts of the model,
+/// Parts of the model's section: what was kept of the version before, which repairs, which parts,
 void panel_replaced(UiContext& context);
 void panel_repairs(UiContext& context);
 void panel_parts(UiContext& context);
