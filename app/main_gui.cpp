@@ -156,6 +156,7 @@ int take_screenshot(const Options& options) {
   }
   constexpr int kFramesToSettle = 12;
   for (int i = 0; i < kFramesToSettle; ++i) application.draw();
+  while (application.workspace().scene().is_rough()) application.turn(0.02);
   application.ui().toasts.clear();
   application.draw();
   std::ofstream out(options.screenshot, std::ios::binary);

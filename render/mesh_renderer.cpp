@@ -135,21 +135,20 @@ void MeshRenderer::upload_triangles(const ModelPose& pose) {
   const Mesh& mesh = pose.mesh();
   corners_.resize(mesh.n_halfedges());
   for (const HalfedgeId h : mesh.halfedges()) corners_[h.index()] = glm::vec3(pose.position(h));
-  std::vector<glm::vec3> normals(mesh.n_faces());
-  for (const FaceId f : mesh.faces()) normals[f.index()] = glm::vec3(pose.normal(f));
+  normals_.resize(mesh.n_faces());
+  for (const FaceId f : mesh.faces()) normals_[f.index()] = glm::vec3(pose.normal(f));
   for (std::size_t k = 0; k < vertices_.size(); ++k) {
     vertices_[k].position = corners_[corner_of_[k].index()];
-    vertices_[k].normal = normals[vertices_[k].face];
+    vertices_[k].normal = normals_[vertices_[k].face];
   }
   buffer_.upload(std::as_bytes(std::span(vertices_)));
 }
 
 void MeshRenderer::upload_edges(const ModelPose& pose, const IdVector<EdgeId, EdgeKind>* kinds) {
   const Mesh& mesh = pose.mesh();
-  std::vector<LineSegment> segments;
-  segments.reserve(mesh.n_halfedges());
+  segments_.clear();
   const auto add = [&](HalfedgeId h, std::uint32_t style) {
-    segments.push_back({corners_[h.index()], corners_[mesh.next(h).index()], style});
+    segments_.push_back({corners_[h.index()], corners_[mesh.next(h).index()], style});
   };
   for (const EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);
@@ -158,7 +157,7 @@ void MeshRenderer::upload_edges(const ModelPose& pose, const IdVector<EdgeId, Ed
     add(h, style);
     if (style == kCutLine && !pose.is_model()) add(mesh.twin(h), style);
   }
-  edges_.upload(segments, 1);
+  edges_.upload(segments_, 1);
 }
 
 void MeshRenderer::upload_textures() {
@@ -259,6 +258,8 @@ void MeshRenderer::draw_lines(const OrbitCamera& camera, const Palette& palette,
   edge_styles[kMountainLine] = {palette.mountain, 1.1F * thin, {6, 2.5F, 1.2F, 2.5F}, false};
   edge_styles[kValleyLine] = {palette.valley, 1.1F * thin, {4, 3, 0, 0}, false};
   edge_styles[kFlatLine] = {palette.flat, 1, {}, false};
+  if (!look.shows_folds)
+    for (const std::uint32_t style : {kMountainLine, kValleyLine, kFlatLine}) edge_styles[style].colour.a = 0;
   if (look.is_seen_through && look.shows_edges) {
     std::array<LineStyle, 6> hidden = edge_styles;
     for (LineStyle& style : hidden) style.colour.a *= kHiddenLine;

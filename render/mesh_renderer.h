@@ -16,6 +16,7 @@ namespace netwright {
 
 struct MeshLook {
   bool shows_edges = true;
+  bool shows_folds = true;       ///< of the edges that have a kind; cuts and borders show with shows_edges
   bool shows_materials = true;   ///< the model's own colours and textures, when it has any
   bool is_seen_through = false;  ///< faces like thin glass, hidden edges faintly
   float scale = 1;               ///< pixels per design pixel
@@ -67,6 +68,8 @@ class MeshRenderer {
   std::vector<Vertex> vertices_;
   std::vector<HalfedgeId> corner_of_;  ///< one per vertex
   std::vector<glm::vec3> corners_;     ///< where the corners are now, one per halfedge
+  std::vector<glm::vec3> normals_;     ///< of the faces there
+  std::vector<LineSegment> segments_;  ///< uploaded last, kept for their room
   std::uint64_t pose_version_ = 0;
   std::uint64_t kinds_version_ = 0;
   LineBatch edges_;

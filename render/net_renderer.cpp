@@ -75,12 +75,16 @@ NetRenderer::NetRenderer(const LineRenderer& lines) : lines_(lines), shader_("ne
   face_array_.attribute(1, face_buffer_, 1, AttributeType::UnsignedInt, kStride, offsetof(NetVertex, face));
 }
 
-void NetRenderer::set_net(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version) {
-  if (face_buffer_.holds(version)) return;
-  upload_faces(net, version);
-  upload_lines(net, kinds, version);
-  are_outlines_stale_ = true;
-  mean_edge_ = net.mesh().mean_edge();
+void NetRenderer::set_net(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version,
+                          bool has_folds) {
+  if (!face_buffer_.holds(version)) {
+    upload_faces(net, version);
+    upload_cuts(net, kinds, version);
+    folds_.upload({}, 0);
+    are_outlines_stale_ = true;
+    mean_edge_ = net.mesh().mean_edge();
+  }
+  if (has_folds && !folds_.holds(version)) upload_folds(net, kinds, version);
 }
 
 void NetRenderer::clear() {
@@ -127,27 +131,31 @@ void NetRenderer::upload_faces(const Net& net, std::uint64_t version) {
   n_face_vertices_ = static_cast<int>(vertices.size());
 }
 
-void NetRenderer::upload_lines(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds,
+void NetRenderer::upload_cuts(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds,
+                              std::uint64_t version) {
+  const Mesh& mesh = net.mesh();
+  segments_.clear();
+  for (const HalfedgeId h : mesh.halfedges()) {
+    const std::uint32_t style = style_of(kinds[mesh.edge(h)]);
+    if (kinds[mesh.edge(h)] == EdgeKind::Hidden || (style != kCutLine && style != kBorderLine)) continue;
+    segments_.push_back(
+        {glm::vec3(corners_[h.index()], 0), glm::vec3(corners_[mesh.next(h).index()], 0), style});
+  }
+  cuts_.upload(segments_, version);
+}
+
+void NetRenderer::upload_folds(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds,
                                std::uint64_t version) {
   const Mesh& mesh = net.mesh();
-  std::vector<LineSegment> cuts;
-  std::vector<LineSegment> folds;
+  segments_.clear();
   for (const EdgeId e : mesh.edges()) {
-    if (kinds[e] == EdgeKind::Hidden) continue;
     const std::uint32_t style = style_of(kinds[e]);
+    if (kinds[e] == EdgeKind::Hidden || style == kCutLine || style == kBorderLine) continue;
     const HalfedgeId h = mesh.halfedge(e);
-    const auto side = [&](HalfedgeId g) {
-      return LineSegment{flat_point(net.corner(g)), flat_point(net.corner(mesh.next(g))), style};
-    };
-    if (style != kCutLine && style != kBorderLine) {
-      folds.push_back(side(h));
-      continue;
-    }
-    cuts.push_back(side(h));
-    if (mesh.twin(h).is_valid()) cuts.push_back(side(mesh.twin(h)));
+    segments_.push_back(
+        {glm::vec3(corners_[h.index()], 0), glm::vec3(corners_[mesh.next(h).index()], 0), style});
   }
-  cuts_.upload(cuts, version);
-  folds_.upload(folds, version);
+  folds_.upload(segments_, version);
 }
 
 void NetRenderer::upload_outlines() {

@@ -30,8 +30,10 @@ struct NetLook {
 class NetRenderer {
  public:
   explicit NetRenderer(const LineRenderer& lines);
-  /// Takes a net over; does nothing when `version` (not 0) is what it holds already.
-  void set_net(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version);
+  /// Takes a net over; does nothing when `version` (not 0) is what it holds already. Without its folds they
+  /// are not drawn until it is given again with them.
+  void set_net(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version,
+               bool has_folds = true);
   void clear();
   /// Sheets to draw under the net; none by default.
   void set_sheets(std::span<const SheetOutline> sheets);
@@ -41,7 +43,8 @@ class NetRenderer {
 
  private:
   void upload_faces(const Net& net, std::uint64_t version);
-  void upload_lines(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version);
+  void upload_cuts(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version);
+  void upload_folds(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version);
   void upload_outlines();
   void upload_states(const FaceStates& states);
   void draw_sheets(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const;
@@ -59,6 +62,7 @@ class NetRenderer {
   FaceStates states_;
   std::vector<glm::vec2> corners_;  ///< of all faces, for outlines of selected ones
   std::vector<int> face_begin_;
+  std::vector<LineSegment> segments_;  ///< uploaded last, kept for their room
   bool are_outlines_stale_ = true;
   LineBatch cuts_;
   LineBatch folds_;

@@ -91,16 +91,31 @@ glm::dvec2 face_anchor(const Net& net, FaceId face) {
 TreeRenderer::TreeRenderer(const LineRenderer& lines) : lines_(lines) {}
 
 void TreeRenderer::set_tree(const Net& net, std::span<const FaceId> climbed,
-                            std::span<const EdgeId> candidates, std::uint64_t version) {
-  if (in_space_.holds(version)) return;
+                            std::span<const EdgeId> candidates, std::uint64_t version, bool has_folds) {
+  mean_edge_ = net.mesh().mean_edge();
+  if (!in_space_.holds(version)) {
+    upload_marks(net, climbed, candidates, version);
+    for (LineBatch* batch : {&folds_in_space_, &folds_in_plane_}) batch->upload({}, 0);
+  }
+  if (has_folds && !folds_in_space_.holds(version)) upload_folds(net, version);
+}
+
+void TreeRenderer::upload_folds(const Net& net, std::uint64_t version) {
+  Strokes strokes;
+  strokes.space.reserve(2 * net.mesh().n_faces());
+  strokes.plane.reserve(2 * net.mesh().n_faces());
+  for (const FaceId f : net.mesh().faces())
+    if (!net.tree.is_root(f)) add_hinge(net, net.tree.to_parent(f), kTreeLine, strokes);
+  folds_in_space_.upload(strokes.space, version);
+  folds_in_plane_.upload(strokes.plane, version);
+}
+
+void TreeRenderer::upload_marks(const Net& net, std::span<const FaceId> climbed,
+                                std::span<const EdgeId> candidates, std::uint64_t version) {
   const Mesh& mesh = net.mesh();
   Strokes strokes;
   Strokes roots;
-  for (const FaceId f : mesh.faces()) {
-    if (!net.tree.is_root(f)) {
-      add_hinge(net, net.tree.to_parent(f), kTreeLine, strokes);
-      continue;
-    }
+  for (const FaceId f : net.tree.roots()) {
     for (const std::uint32_t style : {kRootRim, kRootDisc}) {
       const glm::vec3 in_space(face_anchor(*net.dual, f));
       const glm::vec3 in_plane = raised(face_anchor(net, f));
@@ -114,7 +129,6 @@ void TreeRenderer::set_tree(const Net& net, std::span<const FaceId> climbed,
         add_hinge(net, h, kClimbedLine, strokes);
   }
   for (const EdgeId e : candidates) add_candidate(net, e, strokes);
-  mean_edge_ = mesh.mean_edge();
   in_space_.upload(strokes.space, version);
   in_plane_.upload(strokes.plane, version);
   roots_in_space_.upload(roots.space, version);
@@ -122,7 +136,9 @@ void TreeRenderer::set_tree(const Net& net, std::span<const FaceId> climbed,
 }
 
 void TreeRenderer::clear() {
-  for (LineBatch* batch : {&in_space_, &in_plane_, &roots_in_space_, &roots_in_plane_}) batch->upload({}, 0);
+  for (LineBatch* batch :
+       {&folds_in_space_, &folds_in_plane_, &in_space_, &in_plane_, &roots_in_space_, &roots_in_plane_})
+    batch->upload({}, 0);
 }
 
 namespace {
@@ -160,9 +176,12 @@ void TreeRenderer::draw_on_model(const OrbitCamera& camera, const Palette& palet
     for (LineStyle& style : hidden) style.colour.a *= 0.35F;
     LineView through = look_through(camera, look.scale);
     through.is_depth_tested = false;
+    if (look.shows_tree) lines_.draw(folds_in_space_, hidden, through);
     lines_.draw(in_space_, hidden, through);
   }
-  lines_.draw(in_space_, tree_styles(palette, look, width), look_through(camera, look.scale, 2.5));
+  const LineView view = look_through(camera, look.scale, 2.5);
+  if (look.shows_tree) lines_.draw(folds_in_space_, tree_styles(palette, look, width), view);
+  lines_.draw(in_space_, tree_styles(palette, look, width), view);
   if (look.shows_roots)
     lines_.draw(roots_in_space_, root_styles(palette), look_through(camera, look.scale, 10));
 }
@@ -171,6 +190,7 @@ void TreeRenderer::draw_on_net(const PanZoomCamera& camera, const Palette& palet
                                const TreeLook& look) const {
   const LineView view = look_through(camera, look.scale);
   const float width = 1.5F * thinning(mean_edge_ * camera.pixels_per_unit(), look.scale);
+  if (look.shows_tree) lines_.draw(folds_in_plane_, tree_styles(palette, look, width), view);
   lines_.draw(in_plane_, tree_styles(palette, look, width), view);
   if (look.shows_roots) lines_.draw(roots_in_plane_, root_styles(palette), view);
 }

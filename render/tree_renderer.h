@@ -22,18 +22,25 @@ struct TreeLook {
 class TreeRenderer {
  public:
   explicit TreeRenderer(const LineRenderer& lines);
-  /// Takes the net's tree over; does nothing when `version` (not 0) is what it holds already.
+  /// Takes the net's tree over; does nothing when `version` (not 0) is what it holds already. Without its
+  /// folds only roots and what the last move did are drawn, until it is given again with them.
   /// `climbed`: faces on the path climbed by the last move, in order; `candidates`: cuts it could have
   /// joined.
   void set_tree(const Net& net, std::span<const FaceId> climbed, std::span<const EdgeId> candidates,
-                std::uint64_t version);
+                std::uint64_t version, bool has_folds = true);
   void clear();
   /// Over the model drawn before with the same camera: hidden where the surface hides it.
   void draw_on_model(const OrbitCamera& camera, const Palette& palette, const TreeLook& look) const;
   void draw_on_net(const PanZoomCamera& camera, const Palette& palette, const TreeLook& look) const;
 
  private:
+  void upload_folds(const Net& net, std::uint64_t version);
+  void upload_marks(const Net& net, std::span<const FaceId> climbed, std::span<const EdgeId> candidates,
+                    std::uint64_t version);
+
   const LineRenderer& lines_;
+  LineBatch folds_in_space_;
+  LineBatch folds_in_plane_;
   LineBatch in_space_;
   LineBatch in_plane_;
   LineBatch roots_in_space_;  ///< apart, because discs stand out farther than lines

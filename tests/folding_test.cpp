@@ -1,6 +1,7 @@
 // The fold slider under the model's view, as a person uses it.
 #include <gtest/gtest.h>
 
+#include "core/mesh/shapes.h"
 #include "tests/gui_support.h"
 #include "tests/support.h"
 #include "ui/actions.h"
@@ -63,6 +64,27 @@ TEST(FoldSlider, PlaysDownAndUpAgain) {
   gui.frames(20);
   EXPECT_DOUBLE_EQ(gui.ui().folding.amount, held) << "pressed again it stands still";
   EXPECT_LT(held, 0.5);
+}
+
+TEST(FoldSlider, DrawsALargeModelWithLessWhileItMovesAndInFullAtRest) {
+  Gui gui;
+  gui.session().open_bytes("patch.obj", shapes::to_obj(shapes::bumpy_patch(40, 40)));
+  ASSERT_TRUE(gui.until([&] { return gui.session().state() == RunState::Idle; }));
+  ASSERT_TRUE(gui.unfold());
+  gui.point({2, 2});
+  ASSERT_TRUE(gui.until([&] { return gui.ui().frames_wanted == 0; }));
+  ASSERT_FALSE(scene_of(gui).is_rough());
+  const Image at_rest = gui.window.read_pixels();
+  gui.ui().folding.amount = 0.5;
+  gui.frames(2);
+  EXPECT_TRUE(scene_of(gui).is_rough());
+  gui.ui().folding.amount = 1;
+  gui.frames(1);
+  EXPECT_TRUE(scene_of(gui).is_rough());
+  EXPECT_NE(gui.window.read_pixels().rgba, at_rest.rgba);
+  ASSERT_TRUE(gui.until([&] { return gui.ui().frames_wanted == 0; })) << "frames go on until it rests";
+  EXPECT_FALSE(scene_of(gui).is_rough());
+  EXPECT_EQ(gui.window.read_pixels().rgba, at_rest.rgba);
 }
 
 TEST(FoldSlider, KeysFoldALittle) {

@@ -276,6 +276,26 @@ TEST_F(Rendering, FollowsANetOnlyWhenItsVersionChanges) {
   EXPECT_TRUE(is_near(pixel(draw_net(none_, false, 2), place), colours_.desk, 3));
 }
 
+TEST_F(Rendering, LeavesFoldsOutUntilTheNetIsGivenAgainWithThem) {
+  const auto draw = [&](std::uint64_t version, bool has_folds) {
+    renderers_.net_picture.invalidate();
+    renderers_.net_picture.redraw(kSize, {}, [&] {
+      Background::clear_desk(colours_);
+      renderers_.net.set_net(net_, edge_kinds(net_), version, has_folds);
+      renderers_.net.draw(flat_, colours_, none_, {});
+      renderers_.tree.set_tree(net_, {}, {}, version, has_folds);
+      renderers_.tree.draw_on_net(flat_, colours_, {});
+    });
+    return renderers_.net_picture.read_pixels();
+  };
+  const Image full = draw_net(none_, true);
+  const Image rough = draw(2, false);
+  EXPECT_LT(count_near(rough, colours_.tree, 24) + 50, count_near(full, colours_.tree, 24));
+  EXPECT_GT(count_near(rough, colours_.cut, 24), 100) << "cuts are always drawn";
+  EXPECT_EQ(draw(2, true).rgba, full.rgba) << "the same net with its folds";
+  EXPECT_EQ(draw(2, false).rgba, full.rgba) << "folds that are there stay";
+}
+
 TEST_F(Rendering, LaysSheetsUnderTheNet) {
   Box2 border = net_.box();
   border.min -= 0.2;

@@ -2,7 +2,10 @@
 #include "core/base/worker.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <latch>
 #include <numeric>
@@ -32,6 +35,29 @@ TEST(Worker, RunsTheJobsOfALaneOneAfterTheOther) {
   std::iota(expected.begin(), expected.end(), 0);
   EXPECT_EQ(order, expected);
   EXPECT_TRUE(was_alone);
+}
+
+TEST(Worker, LetsTheSearchGiveWayToEverythingElse) {
+  const auto own_niceness = [] { return getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())); };
+  int of_search = 0;
+  int of_its_pool = 0;
+  int of_chores = 0;
+  Worker worker;
+  worker.submit(Worker::Lane::Chores, [&](Progress&) { of_chores = own_niceness(); });
+  worker.submit(Worker::Lane::Search, [&](Progress&) {
+    of_search = own_niceness();
+    std::latch both(2);
+    const auto caller = std::this_thread::get_id();
+    ThreadPool(2).run(2, [&](int) {
+      if (std::this_thread::get_id() != caller) of_its_pool = own_niceness();
+      both.arrive_and_wait();
+    });
+  });
+  wait_until_idle(worker, Worker::Lane::Chores);
+  wait_until_idle(worker, Worker::Lane::Search);
+  EXPECT_EQ(of_chores, own_niceness());
+  EXPECT_EQ(of_search, std::min(own_niceness() + 3, 19));
+  EXPECT_EQ(of_its_pool, of_search);
 }
 
 TEST(Worker, RunsChoresBesideASearch) {

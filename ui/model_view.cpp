@@ -133,6 +133,7 @@ void ModelView::paint(const UiContext& context, const Scene& scene, Renderers& r
   look.scale = ui.look.scale;
   look.is_seen_through = ui.settings.is_xray;
   look.shows_materials = ui.settings.show_textures;
+  look.shows_folds = !scene.is_rough();
   renderers.mesh.draw(camera_, colours, scene.states(), look);
   if (scene.shown() != nullptr && scene.pose().is_model()) {
     TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale, ui.settings.is_xray};
@@ -200,7 +201,7 @@ void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderer
       .add(ui.look.colours.is_dark)
       .add(ui.look.scale);
   key.add(ui.settings.show_tree).add(ui.settings.show_root).add(ui.settings.show_textures);
-  key.add(ui.settings.is_xray).add(renderers.overlay.version());
+  key.add(ui.settings.is_xray).add(renderers.overlay.version()).add(scene.is_rough());
   key.add_bytes(scene.states().bits().data(), scene.states().size());
   renderers.model_picture.redraw({static_cast<int>(size.x), static_cast<int>(size.y)}, key,
                                  [&] { paint(context, scene, renderers); });

@@ -172,6 +172,7 @@ void NetView::paint(const UiContext& context, const Scene& scene, Renderers& ren
   if (scene.net() == nullptr) return;
   NetLook look;
   look.scale = ui.look.scale;
+  look.shows_folds = !scene.is_rough();
   renderers.net.draw(camera_, colours, scene.states(), look);
   TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
   renderers.tree.draw_on_net(camera_, colours, tree);
@@ -196,6 +197,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   PictureKey key;
   key.add(camera_).add(scene.version()).add(ui.look.colours.is_dark).add(ui.look.scale);
   key.add(ui.settings.show_tree).add(ui.settings.show_root).add(renderers.overlay.version());
+  key.add(scene.is_rough());
   key.add_bytes(scene.states().bits().data(), scene.states().size());
   renderers.net_picture.redraw({static_cast<int>(size.x), static_cast<int>(size.y)}, key,
                                [&] { paint(context, scene, renderers); });

@@ -14,6 +14,11 @@
 namespace netwright {
 namespace {
 
+/// From here on a frame of software drawing takes longer than a hand on a slider should feel, and edges are
+/// so short on screen that their dashes run together anyway.
+constexpr std::size_t kManyFaces = 3000;
+constexpr double kRest_s = 0.25;  ///< without motion before everything is drawn again
+
 Box2 flipped(glm::dvec2 corner, glm::dvec2 size, double scale) {
   Box2 box;
   box.add(glm::dvec2(corner.x, -corner.y) / scale);
@@ -91,10 +96,10 @@ void Scene::take_net(const UiContext& context, Renderers& renderers) {
   if (shown_ == nullptr) {
     renderers.net.clear();
     renderers.tree.clear();
-    net_picker_.clear();
     return;
   }
-  hand_over(renderers);
+  if (!swinging_)
+    renderers.net.set_sheets(paged_ == nullptr ? std::span<const SheetOutline>() : paged_->sheets);
 }
 
 void Scene::follow_swing(UiState& ui, const std::shared_ptr<const ShownNet>& shown) {
@@ -112,12 +117,34 @@ void Scene::follow_swing(UiState& ui, const std::shared_ptr<const ShownNet>& sho
   if (swinging_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
 
-void Scene::hand_over(Renderers& renderers) {
-  renderers.net.set_net(*net(), shown_->kinds, version_);
-  if (!swinging_)
-    renderers.net.set_sheets(paged_ == nullptr ? std::span<const SheetOutline>() : paged_->sheets);
-  renderers.tree.set_tree(*net(), shown_->climbed, shown_->candidates, version_);
-  net_picker_.set_net(*net(), version_);
+void Scene::give_net(const UiContext& context, Renderers& renderers) const {
+  if (shown_ == nullptr) return;
+  renderers.net.set_net(*net(), shown_->kinds, version_, !is_rough_);
+  renderers.tree.set_tree(*net(), shown_->climbed, shown_->candidates, version_,
+                          !is_rough_ && context.ui.settings.show_tree);
+}
+
+void Scene::notice_motion(const UiContext& context) {
+  UiState& ui = context.ui;
+  const std::uint64_t version = version_ + folded_.version();  // both only count up
+  if (version != moved_version_) moved_at_ = ui.now;
+  moved_version_ = version;
+  is_rough_ = dual_ != nullptr && dual_->mesh().n_faces() >= kManyFaces && ui.now - moved_at_ < kRest_s;
+  if (is_rough_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
+}
+
+const ModelPicker& Scene::model_picker() const {
+  model_picker_.set_model(dual_);
+  model_picker_.set_pose(folded_.corners(), folded_.version());
+  return model_picker_;
+}
+
+const NetPicker& Scene::net_picker() const {
+  if (shown_ == nullptr)
+    net_picker_.clear();
+  else
+    net_picker_.set_net(*net(), version_);
+  return net_picker_;
 }
 
 void Scene::mark_faces(const UiContext& context) {
@@ -179,7 +206,6 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     dual_ = dual;
     ++model_version_;
     renderers.mesh.set_model(dual_);
-    model_picker_.set_model(dual_);
     UiState& ui = context.ui;
     ui.hovered = FaceId();
     ui.hovered_side = HalfedgeId();
@@ -198,6 +224,8 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
   take_net(context, renderers);
   mark_faces(context);
   take_pose(context, renderers);
+  notice_motion(context);
+  give_net(context, renderers);
 }
 
 void Scene::take_pose(const UiContext& context, Renderers& renderers) {
@@ -211,7 +239,6 @@ void Scene::take_pose(const UiContext& context, Renderers& renderers) {
   const Net* drawn = own == nullptr ? nullptr : net();
   folded_.update(context.ui, own, dual_->mesh().up_axis());
   renderers.mesh.set_pose(folded_.corners(), folded_.version(), kinds, version_);
-  if (!context.ui.folding.is_playing) model_picker_.set_pose(folded_.corners(), folded_.version());
   OverlayLines lines = overlay_of(context.ui, pose(), drawn, kinds, context.session.project().pins,
                                   context.session.contradiction());
   add_measure(context.ui.measuring, *dual_, pose(), drawn, lines);

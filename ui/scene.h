@@ -54,17 +54,21 @@ class Scene {
   /// Changes whenever the pose does.
   [[nodiscard]] std::uint64_t pose_version() const { return folded_.version(); }
   [[nodiscard]] const FaceStates& states() const { return states_; }
-  [[nodiscard]] const ModelPicker& model_picker() const { return model_picker_; }
-  [[nodiscard]] const NetPicker& net_picker() const { return net_picker_; }
+  /// A large model on the move: trees and folds are left out until all has stood still for a moment.
+  [[nodiscard]] bool is_rough() const { return is_rough_; }
+  /// Made when they are asked for: most frames have no pointer over the view.
+  [[nodiscard]] const ModelPicker& model_picker() const;
+  [[nodiscard]] const NetPicker& net_picker() const;
 
  private:
   void take_net(const UiContext& context, Renderers& renderers);
   void mark_faces(const UiContext& context);
   void mark_pieces(const UiContext& context);
   void follow_swing(UiState& ui, const std::shared_ptr<const ShownNet>& shown);
-  void hand_over(Renderers& renderers);
   void move_held_pieces(const Arranging& arranging);
   void take_pose(const UiContext& context, Renderers& renderers);
+  void notice_motion(const UiContext& context);
+  void give_net(const UiContext& context, Renderers& renderers) const;
   void place();
 
   /// The desk as it was when the swing began.
@@ -87,8 +91,11 @@ class Scene {
   std::uint64_t file_version_ = 0;
   FoldedNet folded_;
   FaceStates states_;
-  ModelPicker model_picker_;
-  NetPicker net_picker_;
+  std::uint64_t moved_version_ = 0;  ///< of net and pose together, as last seen
+  double moved_at_ = 0;              ///< on the clock of UiState::now
+  bool is_rough_ = false;
+  mutable ModelPicker model_picker_;
+  mutable NetPicker net_picker_;
 };
 
 }  // namespace netwright

@@ -1,10 +1,24 @@
 // Threads and their queues. Nothing here knows what the work is about.
 #include "core/base/worker.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <exception>
 
 namespace netwright {
+namespace {
+
+/// The present thread, and those it makes, leave the processor to the others of this program when all want
+/// it: a search takes what pictures leave, and all of it while none is drawn.
+void give_way() {
+  constexpr int kNicer = 3;
+  const auto self = static_cast<id_t>(gettid());
+  setpriority(PRIO_PROCESS, self, getpriority(PRIO_PROCESS, self) + kNicer);
+}
+
+}  // namespace
 
 ThreadPool::ThreadPool(int n_threads) {
   for (int i = 1; i < n_threads; ++i) threads_.emplace_back([this] { work(); });
@@ -64,7 +78,10 @@ void ThreadPool::work() {
 }
 
 Worker::Worker() {
-  search_.thread = std::jthread([this] { work(search_); });
+  search_.thread = std::jthread([this] {
+    give_way();
+    work(search_);
+  });
   chores_.thread = std::jthread([this] { work(chores_); });
 }
 

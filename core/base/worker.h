@@ -46,7 +46,7 @@ class ThreadPool {
 };
 
 /// Two lanes, one job at a time on each: the search may take minutes while chores (reading, derived data,
-/// proofs, exports) go on beside it.
+/// proofs, exports) go on beside it. The search, and the threads it makes, give way to everything else.
 class Worker {
  public:
   enum class Lane { Search, Chores };

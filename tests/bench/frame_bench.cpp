@@ -1,6 +1,7 @@
 // How the editor feels while a search runs, drawn in software at 1600x1000: the time of a frame with 800
-// faces and a new net in every frame, and how long Stop takes on a search at full speed. The promise is a
-// median frame under 120 ms and a stop within 100 ms.
+// faces and a new net in every frame, that of a frame in which the fold slider moves while searches run at
+// full speed, and how long Stop takes. The promise is a median frame under 120 ms with one in a hundred over
+// 400 ms, under 400 ms at 12 000 faces, and a stop within 100 ms.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -32,8 +33,10 @@ void report(const char* what, std::vector<double> values) {
     return;
   }
   std::sort(values.begin(), values.end());
-  std::printf("%-28s median %6.1f ms   worst %6.1f ms   of %zu\n", what, values[values.size() / 2] * 1000,
-              values.back() * 1000, values.size());
+  const std::size_t last_hundredth = std::min(values.size() - 1, values.size() * 99 / 100);
+  std::printf("%-28s median %6.1f ms   p99 %6.1f ms   worst %6.1f ms   of %zu\n", what,
+              values[values.size() / 2] * 1000, values[last_hundredth] * 1000, values.back() * 1000,
+              values.size());
 }
 
 void measure_frames(Application& app) {
@@ -58,24 +61,28 @@ void measure_frames(Application& app) {
   while (app.session().state() != RunState::Idle) app.turn(0.01);
 }
 
-/// The slider moves in every frame while the search runs.
+/// Begins the next search when one is over, which at full speed may be soon.
+void keep_searching(Session& session) {
+  session.skip_replay();
+  if (session.state() == RunState::Idle) session.new_seed();
+}
+
+/// The slider moves in every frame while searches run at full speed, one after the other.
 void measure_folding(Application& app, const char* what, const PolygonSoup& soup, int n_frames) {
   open_shape(app, soup);
-  app.session().set_speed(60);  // so that even a short search lasts as long as the slider moves
+  app.session().set_speed(std::numeric_limits<double>::infinity());
   app.session().unfold();
   while (app.session().shown() == nullptr) app.turn(0.01);
   std::vector<double> times;
-  std::vector<double> times_searching;
   for (int i = 0; i < n_frames; ++i) {
     app.ui().folding.amount = static_cast<double>(i) / n_frames;
     app.session().poll();
-    const bool is_searching = app.session().state() == RunState::Running;
+    keep_searching(app.session());
     const double before = seconds();
     app.draw();
-    (is_searching ? times_searching : times).push_back(seconds() - before);
+    times.push_back(seconds() - before);
   }
   report(what, times);
-  report("  of these, while searching", times_searching);
   app.ui().folding.amount = 1;
   app.session().stop();
   app.session().skip_replay();
@@ -111,8 +118,8 @@ int main() {
   HeadlessWindow window({"Netwright", {1600, 1000}});
   Application app(window, seconds, {});
   measure_frames(app);
-  measure_folding(app, "fold slider, 800 faces", shapes::bumpy_patch(20, 20), 100);
-  measure_folding(app, "fold slider, 12 000 faces", shapes::bumpy_patch(78, 78), 40);
+  measure_folding(app, "fold slider, 800 faces", shapes::bumpy_patch(20, 20), 400);
+  measure_folding(app, "fold slider, 12 000 faces", shapes::bumpy_patch(78, 78), 100);
   measure_stops(app, "stop, 800 faces, watched", shapes::bumpy_patch(20, 20), 60);
   measure_stops(app, "stop, 3200 faces, full speed", shapes::bumpy_patch(40, 40),
                 std::numeric_limits<double>::infinity());
