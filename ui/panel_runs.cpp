@@ -57,11 +57,16 @@ std::string tip_text(const UiContext& c, const FinishedRun& run) {
   return tip;
 }
 
+float pill_width(const UiState& ui, const char* word) {
+  ImFont* font = ui.look.fonts.small;
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, word).x + ui.look.px(12);
+}
+
 /// A word on a tinted field; returns its width.
 float pill(const UiState& ui, const char* word, ImVec2 at, ImU32 back, ImU32 text) {
   ImFont* font = ui.look.fonts.small;
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, word);
-  const float width = extent.x + ui.look.px(12);
+  const float width = pill_width(ui, word);
   const float height = ui.look.px(18);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(at, ImVec2(at.x + width, at.y + height), back, height / 2);
@@ -93,8 +98,13 @@ void draw_words(const UiContext& c, const FinishedRun& run, ImVec2 min, ImVec2 m
   float x = left + bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, name.c_str()).x + look.px(8);
   if (run.number == c.session.accepted_run())
     x += pill(ui, "in use", ImVec2(x, top), colours.tint, colours.on_tint) + look.px(4);
-  if (run.number == c.session.best_run() && run.summary.is_proved)
-    pill(ui, "best", ImVec2(x, top), colours.accent, colours.on_accent);
+  if (run.number == c.session.best_run() && run.summary.is_proved) {
+    // Beside another word and the score there may be no room; the last line has some.
+    const float width = pill_width(ui, "best");
+    const bool has_room = x + width + look.px(28) <= right;
+    const ImVec2 at(has_room ? x : right - width, has_room ? top : top + look.px(49));
+    pill(ui, "best", at, colours.accent, colours.on_accent);
+  }
   if (run.summary.is_proved) {
     const std::string score = std::to_string(run.score());
     const float width = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, score.c_str()).x;
