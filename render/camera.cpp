@@ -19,6 +19,7 @@ constexpr double kMostPitch = std::numbers::pi / 2 - 0.001;
 constexpr double kFrameShare = 0.86;    // of the view is filled when a box is framed
 constexpr double kNearestZoom = 0.002;  // in scene radii
 constexpr double kFarthestZoom = 60;
+constexpr double kSmallestScene = 1e-34;  // below this, single precision has no digits left
 
 }  // namespace
 
@@ -45,7 +46,7 @@ glm::dmat3 OrbitCamera::axes() const {
 void OrbitCamera::frame(const Box3& box) {
   if (box.is_empty()) return;
   scene_centre_ = box.centre();
-  scene_radius_ = std::max(box.diagonal() / 2, 1e-12);
+  scene_radius_ = std::max(box.diagonal() / 2, kSmallestScene);
   target_ = scene_centre_;
   // Each corner asks for a distance at which it is still inside the picture, sideways and in height.
   const glm::dmat3 to_view = glm::transpose(axes());
@@ -118,7 +119,9 @@ glm::dmat4 OrbitCamera::projection() const {
   const double reach = scene_radius_ * 1.05;
   const double far_plane = std::max(depth + reach, distance_ * 2);
   const double near_plane = std::max(depth - reach, std::min(distance_, reach) * 0.01);
-  return glm::perspective(2 * kHalfFieldOfView, size_px_.x / size_px_.y, near_plane, far_plane);
+  // A factor of all four changes nothing but their size: that is near one for models of any unit, while
+  // graphics cards clip away whatever is all but zero.
+  return glm::perspective(2 * kHalfFieldOfView, size_px_.x / size_px_.y, near_plane, far_plane) / distance_;
 }
 
 glm::dvec3 OrbitCamera::project(const glm::dvec3& point) const {

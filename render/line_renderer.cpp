@@ -32,7 +32,8 @@ LineView look_through(const OrbitCamera& camera, float scale, double lift_px) {
   view.is_depth_tested = true;
   // Moving a point at distance w to w (1 - s) leaves its pixel and takes this much off its depth in clip
   // space.
-  const double share = lift_px * static_cast<double>(scale) * 2 / (projection[1][1] * camera.size_px().y);
+  const double focal = projection[1][1] / -projection[2][3];
+  const double share = lift_px * static_cast<double>(scale) * 2 / (focal * camera.size_px().y);
   view.pull = static_cast<float>(-projection[3][2] * share / (1 - share));
   return view;
 }

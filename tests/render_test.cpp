@@ -48,8 +48,8 @@ int count_near(const Image& image, const Colour& colour, int tolerance) {
 }
 
 /// A cube whose net is its first face with the four around it and the last one behind.
-Net cube_net() {
-  const auto dual = std::make_shared<const DualGraph>(std::make_shared<const Mesh>(shapes::cube()));
+Net cube_net(double edge = 1) {
+  const auto dual = std::make_shared<const DualGraph>(std::make_shared<const Mesh>(shapes::cube(edge)));
   const Mesh& mesh = dual->mesh();
   UnfoldTree tree(mesh.n_faces());
   FaceId last;
@@ -146,6 +146,17 @@ TEST_F(Rendering, ShadesTheSidesOfACubeDifferently) {
       pixel(image, glm::dvec2(orbit_.project({0, net_.mesh().box().max.y, 0})) + glm::dvec2(4, 4));
   const Pixel side = pixel(image, middle(front_face()) + glm::dvec2(4, 4));
   EXPECT_GT(std::abs(top.r - side.r), 12);
+}
+
+TEST_F(Rendering, ShowsModelsOfAnyUnitAlike) {
+  const int n_edge_pixels = count_near(draw_model(none_), colours_.model_edge, 24);
+  for (const double edge : {1e-30, 1e30}) {
+    net_ = cube_net(edge);
+    orbit_.frame(net_.mesh().box());
+    const Image image = draw_model(none_);
+    EXPECT_GT(pixel(image, middle(front_face())).r, 110) << edge;
+    EXPECT_NEAR(count_near(image, colours_.model_edge, 24), n_edge_pixels, 0.02 * n_edge_pixels) << edge;
+  }
 }
 
 TEST_F(Rendering, DrawsTheEdgesOfTheModelOnlyWhenAsked) {

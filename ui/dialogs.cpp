@@ -50,7 +50,9 @@ void key_line(const UiState& ui, const std::string& keys, const std::string& wha
   ImGui::TextUnformatted(keys.c_str());
   ImGui::PopFont();
   ImGui::TableNextColumn();
+  ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(what.c_str());
+  ImGui::PopTextWrapPos();
 }
 
 /// What comes up by itself.
@@ -211,6 +213,8 @@ void Dialogs::draw_keys(UiContext& context) {
   if (!begin_window(ui, 640, 672)) return;
   ImGui::BeginChild("keys", ImVec2(0, ImGui::GetContentRegionAvail().y - ui.look.px(44)));
   if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::TableSetupColumn("keys");
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
     for (const Action& entry : actions()) {
       const std::string keys = shortcut_text(entry.shortcut);
       if (!keys.empty()) key_line(ui, keys + "    ", std::string(entry.what));

@@ -44,7 +44,7 @@ constexpr std::array<StepWords, 8> kWords{
               "Fills borders with faces; masks and shells want theirs open"},
     StepWords{RepairStep::IsolatedPoints, "repair/isolated", "Drop loose points", "drop loose points",
               "keep loose points", "Points that no face uses"},
-    StepWords{RepairStep::UnevenFaces, "repair/uneven", "Faces that are not flat", "", "",
+    StepWords{RepairStep::UnevenFaces, "repair/uneven", "Faces not flat", "", "",
               "Paper does not bend in two ways at once"}};
 
 const StepWords& words_of(RepairStep step) { return *std::ranges::find(kWords, step, &StepWords::step); }
