@@ -60,7 +60,10 @@ Application::Application(Window& window, Session::Clock clock, std::filesystem::
   } else {
     apply_preferences(session_, ui_.settings);
   }
-  ui_.wake = [this] { window_.wake(); };
+  ui_.wake = [this] {
+    is_woken_ = true;
+    window_.wake();
+  };
   ui_.is_desktop_dark = desktop_prefers_dark();
   ui_.is_motion_reduced = desktop_reduces_motion();
   session_.set_wake([this] { window_.wake(); });
@@ -171,6 +174,7 @@ void Application::wait(double seconds) {
 void Application::turn(double longest_wait_s) {
   wait(std::min(wait_seconds(), longest_wait_s));
   for (const WindowEvent& event : window_.take_events()) handle(event);
+  if (is_woken_.exchange(false)) ui_.frames_wanted = std::max(ui_.frames_wanted, 1);
   const bool has_changed = session_.poll();
   const bool has_old_toast = std::any_of(ui_.toasts.begin(), ui_.toasts.end(),
                                          [this](const Toast& toast) { return toast.until <= clock_(); });

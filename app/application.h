@@ -2,6 +2,7 @@
 // only as an interface, so that tests and screenshots run the same loop without a screen.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -51,6 +52,7 @@ class Application {
   std::filesystem::path settings_file_;
   Settings saved_settings_;
   Session session_;
+  std::atomic<bool> is_woken_ = false;  ///< by another thread, which wants a frame
   UiState ui_;
   Workspace workspace_;
   std::string title_;

@@ -280,7 +280,8 @@ TEST(DesktopPicker, StartsBothProgramsWithWhatTheyUnderstand) {
 TEST(DesktopPicker, OpensWhatTheDesktopsDialogAnswers) {
   const TemporaryFolder folder;
   const auto model = folder.write("my cube.obj", shapes::to_obj(shapes::cube()));
-  write_program(folder, "zenity", "echo '" + model.string() + "'");
+  // Not before the window has gone to sleep: the answer has to wake it.
+  write_program(folder, "zenity", "sleep 0.5; echo '" + model.string() + "'");
   const Environment path("PATH", folder.path().string() + ":/usr/bin:/bin");
   Gui gui({1024, 700});
   gui.ui().settings.uses_desktop_dialogs = true;
