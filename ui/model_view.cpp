@@ -181,7 +181,7 @@ void ModelView::draw_axes(const UiState& ui, const Mesh& mesh, ImVec2 corner, Im
 void ModelView::draw(UiContext& context, const Scene& scene, Renderers& renderers) {
   UiState& ui = context.ui;
   const std::string name = scene.dual() == nullptr ? "" : scene.dual()->mesh().name();
-  view_header(context, "model", "Model", name, to_u32(palette_of(ui).background_top),
+  view_header(context, "model", "Model", {name, ""}, to_u32(palette_of(ui).background_top),
               {ActionId::ToggleXray, ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps,
                ActionId::ToggleRoot, ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();

@@ -182,7 +182,10 @@ void NetView::paint(const UiContext& context, const Scene& scene, Renderers& ren
 void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers) {
   UiState& ui = context.ui;
   const std::string state = scene.net() == nullptr ? "" : status_of(context.session).in_short;
-  view_header(context, "net", "Net", state, to_u32(palette_of(ui).desk),
+  // Of "one piece, proved" the last is what matters most.
+  const std::size_t comma = state.rfind(", ");
+  const std::string brief = comma == std::string::npos ? "" : state.substr(comma + 2);
+  view_header(context, "net", "Net", {state, brief}, to_u32(palette_of(ui).desk),
               {ActionId::ToggleNumbers, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
                ActionId::TogglePages, ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();

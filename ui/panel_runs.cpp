@@ -54,25 +54,20 @@ std::string tip_text(const UiContext& c, const FinishedRun& run) {
     tip += "to cut: " + length_text(run.measures.cut_length * scale, c.ui.settings.unit) + "\n";
   }
   tip += kScoreMeaning;
+  if (run.summary.is_proved && run.number == c.session.best_run()) tip += " This one is the best so far.";
   return tip;
 }
 
-float pill_width(const UiState& ui, const char* word) {
-  ImFont* font = ui.look.fonts.small;
-  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, word).x + ui.look.px(12);
-}
-
-/// A word on a tinted field; returns its width.
-float pill(const UiState& ui, const char* word, ImVec2 at, ImU32 back, ImU32 text) {
+/// A word on a tinted field.
+void pill(const UiState& ui, const char* word, ImVec2 at, ImU32 back, ImU32 text) {
   ImFont* font = ui.look.fonts.small;
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, word);
-  const float width = pill_width(ui, word);
+  const float width = extent.x + ui.look.px(12);
   const float height = ui.look.px(18);
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(at, ImVec2(at.x + width, at.y + height), back, height / 2);
   draw.AddText(font, font->FontSize, ImVec2(at.x + ui.look.px(6), std::floor(at.y + (height - extent.y) / 2)),
                text, word);
-  return width;
 }
 
 void draw_picture(const UiState& ui, const RunList::Entry& run, ImVec2 min) {
@@ -82,6 +77,22 @@ void draw_picture(const UiState& ui, const RunList::Entry& run, ImVec2 min) {
   draw.AddRectFilled(min, max, to_u32(palette.desk), ui.look.px(4));
   if (ui.run_pictures == nullptr) return;
   draw.AddImage(ui.run_pictures->of(run), min, max, ImVec2(0, 1), ImVec2(1, 0), to_u32(palette.paper));
+}
+
+/// Ends at `right_top`; the best one's stands out.
+void draw_score(const UiContext& c, const FinishedRun& run, ImVec2 right_top) {
+  const Look& look = c.ui.look;
+  const bool is_best = run.number == c.session.best_run();
+  const std::string score = std::to_string(run.score());
+  ImFont* bold = look.fonts.bold;
+  const ImVec2 extent = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, score.c_str());
+  const ImVec2 at(right_top.x - extent.x, right_top.y);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (is_best)
+    draw.AddRectFilled(ImVec2(at.x - look.px(7), at.y - look.px(1)),
+                       ImVec2(right_top.x + look.px(7), at.y + extent.y + look.px(1)), look.colours.accent,
+                       look.px(9));
+  draw.AddText(bold, bold->FontSize, at, is_best ? look.colours.on_accent : look.colours.text, score.c_str());
 }
 
 void draw_words(const UiContext& c, const FinishedRun& run, ImVec2 min, ImVec2 max) {
@@ -95,21 +106,10 @@ void draw_words(const UiContext& c, const FinishedRun& run, ImVec2 min, ImVec2 m
   ImFont* bold = look.fonts.bold;
   const std::string name = "Run " + std::to_string(run.number);
   draw.AddText(bold, bold->FontSize, ImVec2(left, top), colours.text, name.c_str());
-  float x = left + bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, name.c_str()).x + look.px(8);
+  const float x = left + bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, name.c_str()).x + look.px(8);
   if (run.number == c.session.accepted_run())
-    x += pill(ui, "in use", ImVec2(x, top), colours.tint, colours.on_tint) + look.px(4);
-  if (run.number == c.session.best_run() && run.summary.is_proved) {
-    // Beside another word and the score there may be no room; the last line has some.
-    const float width = pill_width(ui, "best");
-    const bool has_room = x + width + look.px(28) <= right;
-    const ImVec2 at(has_room ? x : right - width, has_room ? top : top + look.px(49));
-    pill(ui, "best", at, colours.accent, colours.on_accent);
-  }
-  if (run.summary.is_proved) {
-    const std::string score = std::to_string(run.score());
-    const float width = bold->CalcTextSizeA(bold->FontSize, FLT_MAX, 0, score.c_str()).x;
-    draw.AddText(bold, bold->FontSize, ImVec2(right - width, top), colours.text, score.c_str());
-  }
+    pill(ui, "in use", ImVec2(x, top), colours.tint, colours.on_tint);
+  if (run.summary.is_proved) draw_score(c, run, ImVec2(right, top));
   ImFont* small = look.fonts.small;
   const std::array<std::string, 3> lines = lines_of(c, run);
   for (std::size_t i = 0; i < lines.size(); ++i) {

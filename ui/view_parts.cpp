@@ -28,7 +28,7 @@ float view_header_height(const UiState& ui) { return ui.look.px(40); }
 namespace {
 
 /// The name of the view and, where there is room, its state.
-void header_text(const UiState& ui, const std::string& title, const std::string& state, ImVec2 min,
+void header_text(const UiState& ui, const std::string& title, const HeaderState& state, ImVec2 min,
                  float width) {
   const Look& look = ui.look;
   ImFont* bold = look.fonts.bold;
@@ -39,13 +39,15 @@ void header_text(const UiState& ui, const std::string& title, const std::string&
   draw.AddText(bold, bold->FontSize, ImVec2(min.x, y), look.colours.text, title.c_str());
   const float left = title_width + look.px(10);
   if (width - left < look.px(48)) return;
-  draw.AddText(ImVec2(min.x + left, y), look.colours.muted, shortened(state, width - left).c_str());
+  const bool fits = ImGui::CalcTextSize(state.whole.c_str()).x <= width - left;
+  const std::string& text = fits || state.brief.empty() ? state.whole : state.brief;
+  draw.AddText(ImVec2(min.x + left, y), look.colours.muted, shortened(text, width - left).c_str());
 }
 
 }  // namespace
 
 void view_header(UiContext& context, const std::string& name, const std::string& title,
-                 const std::string& state, ImU32 back, std::initializer_list<ActionId> toggles) {
+                 const HeaderState& state, ImU32 back, std::initializer_list<ActionId> toggles) {
   UiState& ui = context.ui;
   const Look& look = ui.look;
   const ImVec2 min = ImGui::GetCursorScreenPos();

@@ -22,9 +22,15 @@ struct ViewRect {
 ImU32 to_u32(const Colour& colour);
 const Palette& palette_of(const UiState& ui);
 
+/// What a view's header says beside its title.
+struct HeaderState {
+  std::string whole;
+  std::string brief;  ///< where that does not fit; empty = as much of it as does
+};
+
 /// Title, state and toggle buttons over the view's own background; height as view_header_height.
 void view_header(UiContext& context, const std::string& name, const std::string& title,
-                 const std::string& state, ImU32 back, std::initializer_list<ActionId> toggles);
+                 const HeaderState& state, ImU32 back, std::initializer_list<ActionId> toggles);
 float view_header_height(const UiState& ui);
 
 /// What the mouse does on the picture of a view.
