@@ -191,6 +191,21 @@ TEST(Keyboard, TabReachesEveryControlOfThePanels) {
   }
 }
 
+TEST(Keyboard, PressesTheLinesOfTheReport) {
+  Gui gui({1024, 700});
+  PolygonSoup box = shapes::cube();
+  box.face_begin.pop_back();
+  box.corners.resize(static_cast<std::size_t>(box.face_begin.back()));
+  gui.session().open_bytes("box.obj", shapes::to_obj(box));
+  ASSERT_TRUE(gui.until([&] { return gui.session().has_model(); }));
+  gui.ui().settings.is_open(Section::Model) = true;
+  gui.frames(3);
+  for (int i = 0; i < 80 && !gui.ui().focus->name().starts_with("report/borders"); ++i) tab(gui);
+  gui.key(keys::kSpace);
+  EXPECT_EQ(gui.ui().lit.edges.size(), 4U);
+  EXPECT_EQ(gui.session().state(), RunState::Idle);
+}
+
 TEST(Keyboard, SpacePressesWhatHasTheFocusAndEscapeLetsGo) {
   Gui gui({1024, 700});
   gui.open_sample("Cube");

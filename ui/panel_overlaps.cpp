@@ -40,7 +40,8 @@ void draw_row(UiContext& context, const OverlapList::Row& row, std::size_t index
   const std::string name = "overlaps/" + std::to_string(index);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, look.px(kRowHeight));
-  if (ImGui::InvisibleButton(name.c_str(), size)) show(ui, row.overlap);
+  const bool is_clicked = ImGui::InvisibleButton(name.c_str(), size);
+  if (pressed_by_key(ui, name) || is_clicked) show(ui, row.overlap);
   note_widget(ui, name);
   const bool is_lit = ui.shown_overlap == row.overlap;
   ImDrawList& draw = *ImGui::GetWindowDrawList();

@@ -32,7 +32,9 @@ void report_line(UiContext& context, std::size_t index, const MeshReport::Line& 
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (can_light) {
     ImGui::PushID(static_cast<int>(index));
-    if (ImGui::InvisibleButton(name.c_str(), size)) light(context, index, line);
+    const bool is_clicked = ImGui::InvisibleButton(name.c_str(), size);
+    // Lines of one kind share a name.
+    if (pressed_by_key(ui, name + "/" + std::to_string(index)) || is_clicked) light(context, index, line);
     ImGui::PopID();
     const ImVec2 edge(look.px(8), look.px(3));
     const ImU32 back = is_lit ? look.colours.tint : (ImGui::IsItemHovered() ? look.colours.hover : 0);
