@@ -1,15 +1,13 @@
 // The session's finished runs as the window uses them: looking, accepting, deleting, saving, scrubbing
 // through the moves; and the list of undo steps.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include "core/base/predicates.h"
 #include "core/project/replay.h"
 #include "core/project/session.h"
+#include "tests/session_support.h"
 #include "tests/support.h"
 
 namespace netwright {
@@ -23,37 +21,10 @@ std::string terrain() {
   return shapes::to_obj(soup);
 }
 
-class SessionRunsTest : public ::testing::Test {
+class SessionRunsTest : public testing::SessionTest {
  protected:
-  /// The test's clock does not wait for the search.
-  void SetUp() override { session_.set_time_limit(0); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  SessionRunsTest() { skips_replays_ = true; }
 
-  void frame() {
-    now_ += 0.01;
-    session_.poll();
-    if (session_.state() == RunState::Replaying) session_.skip_replay();
-    for (Message& message : session_.take_messages()) messages_.push_back(std::move(message));
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-  template <class Condition>
-  [[nodiscard]] bool frames_until(Condition condition) {
-    for (int i = 0; i < 300000; ++i) {
-      if (condition()) return true;
-      frame();
-    }
-    return false;
-  }
-  [[nodiscard]] bool frames_until_idle() {
-    return frames_until([this] {
-      return session_.state() == RunState::Idle && (!session_.project().tree || session_.sheets()) &&
-             !session_.chore();
-    });
-  }
-  void open(const std::string& bytes) {
-    session_.open_bytes("model.obj", bytes);
-    ASSERT_TRUE(frames_until([this] { return session_.has_model(); }));
-  }
   void run(std::uint64_t seed) {
     session_.set_seed(seed);
     session_.unfold();
@@ -68,12 +39,6 @@ class SessionRunsTest : public ::testing::Test {
   [[nodiscard]] bool frames_until_shown(const UnfoldTree& tree) {
     return frames_until([&] { return session_.shown() && session_.shown()->net.tree == tree; });
   }
-
-  double now_ = 100;
-  Session session_{[this] { return now_; }};
-  std::vector<Message> messages_;
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("netwright_runs_" + std::to_string(getpid()));
 };
 
 TEST_F(SessionRunsTest, KeepsEveryFinishedRunWithItsFigures) {

@@ -55,6 +55,7 @@ class SessionTest : public ::testing::Test {
   void frame() {
     now_ += 0.01;
     session_.poll();
+    if (skips_replays_ && session_.state() == RunState::Replaying) session_.skip_replay();
     for (Message& message : session_.take_messages()) messages_.push_back(std::move(message));
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
@@ -110,6 +111,7 @@ class SessionTest : public ::testing::Test {
     return folder_ / name;
   }
 
+  bool skips_replays_ = false;
   double now_ = 100;
   Session session_{[this] { return now_; }};
   std::vector<Message> messages_;

@@ -13,12 +13,10 @@
 namespace netwright {
 namespace {
 
-constexpr float kBarPadding = 12;
-constexpr float kTextLeft = 44;
 constexpr float kButtonsWidth = 116;
 
 float text_height(const UiState& ui, float width) {
-  const float wrap = width - ui.look.px(kTextLeft) - ui.look.px(kButtonsWidth);
+  const float wrap = width - ui.look.px(kBarTextLeft) - ui.look.px(kButtonsWidth);
   return ImGui::CalcTextSize(ui.error.c_str(), nullptr, false, wrap).y;
 }
 
@@ -88,8 +86,8 @@ void draw_error_bar(UiState& ui) {
   draw.AddRectFilled(min, max, look.colours.bad_back);
   draw.AddRectFilled(min, ImVec2(min.x + look.px(4), max.y), look.colours.bad);
   draw.AddText(ImVec2(min.x + look.px(16), min.y + look.px(kBarPadding)), look.colours.bad, icon::kError);
-  ImGui::SetCursorScreenPos(ImVec2(min.x + look.px(kTextLeft), min.y + look.px(kBarPadding)));
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - look.px(kTextLeft) - look.px(kButtonsWidth));
+  ImGui::SetCursorScreenPos(ImVec2(min.x + look.px(kBarTextLeft), min.y + look.px(kBarPadding)));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - look.px(kBarTextLeft) - look.px(kButtonsWidth));
   ImGui::TextUnformatted(ui.error.c_str());
   ImGui::PopTextWrapPos();
   note_widget(ui, "error/text");

@@ -14,8 +14,6 @@
 namespace netwright {
 namespace {
 
-constexpr float kPadding = 12;
-constexpr float kTextLeft = 44;
 constexpr float kFieldWidth = 88;
 constexpr float kGap = 8;
 constexpr double kLeastHeight_mm = 5;
@@ -55,7 +53,7 @@ std::string question(const UiContext& context) {
 bool is_one_line(const UiContext& context, float width) {
   const UiState& ui = context.ui;
   const float text = ImGui::CalcTextSize(question(context).c_str()).x;
-  return ui.look.px(kTextLeft + kGap + kPadding) + text + controls_width(context) <= width;
+  return ui.look.px(kBarTextLeft + kGap + kBarPadding) + text + controls_width(context) <= width;
 }
 
 }  // namespace
@@ -65,9 +63,9 @@ float size_bar_height(const UiContext& context, float width) {
   const Look& look = context.ui.look;
   const float line = look.px(32 + 2 * 6);
   if (is_one_line(context, width)) return line;
-  const float wrap = width - look.px(kTextLeft + kPadding);
+  const float wrap = width - look.px(kBarTextLeft + kBarPadding);
   const ImVec2 text = ImGui::CalcTextSize(question(context).c_str(), nullptr, false, wrap);
-  return std::ceil(text.y + look.px(kPadding) + line);
+  return std::ceil(text.y + look.px(kBarPadding) + line);
 }
 
 void draw_size_bar(UiContext& context) {
@@ -76,15 +74,10 @@ void draw_size_bar(UiContext& context) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
   const ImVec2 max(min.x + size.x, min.y + size.y);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(min, max, look.colours.tint);
-  draw.AddRectFilled(min, ImVec2(min.x + look.px(4), max.y), look.colours.accent);
-  draw.AddText(ImVec2(min.x + look.px(16), min.y + look.px(kPadding)), look.colours.on_tint, icon::kRuler);
-  draw.AddText(nullptr, 0, ImVec2(min.x + look.px(kTextLeft), min.y + look.px(kPadding)), look.colours.text,
-               question(context).c_str(), nullptr, size.x - look.px(kTextLeft + kPadding));
+  bar_background(ui, icon::kRuler, question(context), size.x - look.px(kBarTextLeft + kBarPadding));
   const bool is_beside = is_one_line(context, size.x);
   const float x =
-      is_beside ? max.x - look.px(kPadding) - controls_width(context) : min.x + look.px(kTextLeft);
+      is_beside ? max.x - look.px(kBarPadding) - controls_width(context) : min.x + look.px(kBarTextLeft);
   ImGui::SetCursorScreenPos(ImVec2(x, max.y - look.px(38)));
   const LengthUnit unit = ui.settings.unit;
   if (ui.asked_height_mm <= 0) ui.asked_height_mm = kUsualHeight;

@@ -12,8 +12,6 @@
 namespace netwright {
 namespace {
 
-constexpr float kPadding = 12;
-constexpr float kTextLeft = 44;
 constexpr float kButtonGap = 24;
 
 ButtonSpec repair_button(const UiState& ui) {
@@ -34,7 +32,7 @@ std::string text_of(const UiContext& context) {
 
 float wrap_width(const UiContext& context, float width) {
   const UiState& ui = context.ui;
-  return width - ui.look.px(kTextLeft + kButtonGap + kPadding) - button_width(ui, repair_button(ui));
+  return width - ui.look.px(kBarTextLeft + kButtonGap + kBarPadding) - button_width(ui, repair_button(ui));
 }
 
 }  // namespace
@@ -44,7 +42,7 @@ float unrepaired_bar_height(const UiContext& context, float width) {
   const Look& look = context.ui.look;
   const ImVec2 text =
       ImGui::CalcTextSize(text_of(context).c_str(), nullptr, false, wrap_width(context, width));
-  return std::ceil(std::max(text.y + look.px(2 * kPadding), look.px(32 + 2 * 6)));
+  return std::ceil(std::max(text.y + look.px(2 * kBarPadding), look.px(32 + 2 * 6)));
 }
 
 void draw_unrepaired_bar(UiContext& context) {
@@ -53,14 +51,10 @@ void draw_unrepaired_bar(UiContext& context) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::GetContentRegionAvail();
   const ImVec2 max(min.x + size.x, min.y + size.y);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddRectFilled(min, max, look.colours.tint);
-  draw.AddRectFilled(min, ImVec2(min.x + look.px(4), max.y), look.colours.accent);
-  draw.AddText(ImVec2(min.x + look.px(16), min.y + look.px(kPadding)), look.colours.on_tint, icon::kWarning);
-  draw.AddText(nullptr, 0, ImVec2(min.x + look.px(kTextLeft), min.y + look.px(kPadding)), look.colours.text,
-               text_of(context).c_str(), nullptr, wrap_width(context, size.x));
+  bar_background(ui, icon::kWarning, text_of(context), wrap_width(context, size.x));
   const ButtonSpec repair = repair_button(ui);
-  ImGui::SetCursorScreenPos(ImVec2(max.x - look.px(kPadding) - button_width(ui, repair), min.y + look.px(6)));
+  ImGui::SetCursorScreenPos(
+      ImVec2(max.x - look.px(kBarPadding) - button_width(ui, repair), min.y + look.px(6)));
   if (button(ui, repair)) context.session.ask_again();
 }
 

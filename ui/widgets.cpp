@@ -259,6 +259,20 @@ bool checkbox(const UiState& ui, const std::string& name, const std::string& lab
   return is_clicked;
 }
 
+void bar_background(const UiState& ui, const char* icon, const std::string& text, float wrap_width) {
+  const Look& look = ui.look;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  const float top = min.y + look.px(kBarPadding);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(min, max, look.colours.tint);
+  draw.AddRectFilled(min, ImVec2(min.x + look.px(4), max.y), look.colours.accent);
+  draw.AddText(ImVec2(min.x + look.px(16), top), look.colours.on_tint, icon);
+  draw.AddText(nullptr, 0, ImVec2(min.x + look.px(kBarTextLeft), top), look.colours.text, text.c_str(),
+               nullptr, wrap_width);
+}
+
 void progress_line(const UiState& ui, float width, double fraction) {
   const Look& look = ui.look;
   const ImVec2 min = ImGui::GetCursorScreenPos();

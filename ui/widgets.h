@@ -51,6 +51,12 @@ bool slim_slider(const UiState& ui, const std::string& name, float width, float&
 bool checkbox(const UiState& ui, const std::string& name, const std::string& label, bool& is_on,
               const std::string& tip);
 
+/// Fills what is left of the window as a bar above the views that asks something: a sign and a text, which
+/// wraps at this width. How far the text stands from the left and from the top:
+inline constexpr float kBarTextLeft = 44;
+inline constexpr float kBarPadding = 12;
+void bar_background(const UiState& ui, const char* icon, const std::string& text, float wrap_width);
+
 /// A thin bar, filled up to the fraction; as tall as a slider's track.
 void progress_line(const UiState& ui, float width, double fraction);
 
