@@ -25,6 +25,13 @@ HandLayout placed_at(const Project& project, const PrintSize& size) {
   }
 }
 
+/// What was said of single edges means nothing for those of another mesh.
+void forget_edges(Project& project) {
+  project.tabs.edits.clear();
+  project.sheet.hidden_folds.clear();
+  project.sheet.shown_folds.clear();
+}
+
 }  // namespace
 
 Project new_project(const Project& before, std::filesystem::path path,
@@ -33,6 +40,9 @@ Project new_project(const Project& before, std::filesystem::path path,
   project.path = std::move(path);
   project.dual = std::move(dual);
   project.paper = before.paper;
+  project.tabs = before.tabs;
+  project.sheet = before.sheet;
+  forget_edges(project);
   return project;
 }
 
@@ -60,6 +70,7 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
   project.run.reset();
   project.edits = {};
   project.placed = {};
+  forget_edges(project);
   return project;
 }
 
@@ -121,6 +132,16 @@ Project set_paper(Project project, const PaperSetup& paper) {
 Project set_size(Project project, const PrintSize& size) {
   project.placed = placed_at(project, size);
   project.size = size;
+  return project;
+}
+
+Project set_tabs(Project project, const TabSettings& tabs) {
+  project.tabs = tabs;
+  return project;
+}
+
+Project set_sheet(Project project, const SheetSettings& sheet) {
+  project.sheet = sheet;
   return project;
 }
 

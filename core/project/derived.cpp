@@ -33,15 +33,17 @@ std::shared_ptr<const ShownNet> derive_net(const Project& project, const Derived
 
 PageLayout pages_of(const Project& project, const Net& net) {
   if (!project.placed.is_automatic())
-    if (std::optional<PageLayout> layout = lay_out(net, project.paper, project.placed)) return *layout;
-  return arrange(net, project.paper, project.size);
+    if (std::optional<PageLayout> layout = lay_out(net, project.paper, project.placed, project.tabs))
+      return *layout;
+  return arrange(net, project.paper, project.size, project.tabs);
 }
 
 void derive_sheets(Derived& derived, const Derived* before) {
   const Project& project = derived.source;
   const bool is_same_run = before && before->source.run == project.run && before->shown == derived.shown;
   if (is_same_run && before->source.paper == project.paper && before->source.size == project.size &&
-      before->source.placed == project.placed) {
+      before->source.placed == project.placed && before->source.tabs == project.tabs &&
+      before->source.sheet == project.sheet) {
     derived.pages = before->pages;
     derived.misplaced = before->misplaced;
     derived.sheets = before->sheets;
@@ -53,8 +55,8 @@ void derive_sheets(Derived& derived, const Derived* before) {
     derived.pages = std::make_shared<const PageLayout>(pages_of(project, net));
     if (!project.placed.is_automatic()) derived.misplaced = find_misplaced(net, *derived.pages);
     if (derived.shown->is_proved && derived.misplaced.is_nothing())
-      derived.sheets =
-          std::make_shared<const std::vector<Sheet>>(draw_sheets(net, *derived.pages, sheet_info(project)));
+      derived.sheets = std::make_shared<const std::vector<Sheet>>(
+          draw_sheets(net, *derived.pages, sheet_info(project), project.sheet));
   } catch (const Error& error) {
     derived.pages = nullptr;
     derived.fault = error.what();
@@ -77,6 +79,7 @@ std::shared_ptr<const Derived> derive(const Project& project, const std::shared_
 
 SheetInfo sheet_info(const Project& project) {
   SheetInfo info;
+  info.title = project.sheet.words.title;
   info.is_proved = project.run && project.run->is_proved;
   if (project.run) info.seed = project.run->seed;
   return info;

@@ -13,6 +13,7 @@
 #include "core/project/make_model.h"
 #include "core/sheet/pages.h"
 #include "core/sheet/placing.h"
+#include "core/sheet/sheet_settings.h"
 #include "core/solve/constraints.h"
 #include "core/unfold/unfold_tree.h"
 
@@ -42,7 +43,9 @@ struct Project {
   std::uint64_t seed = 0;
   PaperSetup paper;
   PrintSize size;
-  HandLayout placed;  ///< where the user put the pieces of the tree on this paper; empty without a tree
+  TabSettings tabs;     ///< edits are of the made mesh
+  SheetSettings sheet;  ///< folds named in it are of the made mesh
+  HandLayout placed;    ///< where the user put the pieces of the tree on this paper; empty without a tree
   bool operator==(const Project&) const =
       default;  ///< shared parts count as equal when they are the same object
 };

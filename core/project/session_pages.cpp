@@ -17,6 +17,14 @@ void Session::place_pieces(const HandLayout& placed, const std::string& label) {
   if (pages() && placed != project().placed) impl_->edit(label, netwright::place_pieces(project(), placed));
 }
 
+void Session::set_tabs(const TabSettings& tabs, const std::string& label) {
+  if (tabs != project().tabs) impl_->edit(label, netwright::set_tabs(project(), tabs));
+}
+
+void Session::set_sheet(const SheetSettings& sheet, const std::string& label) {
+  if (sheet != project().sheet) impl_->edit(label, netwright::set_sheet(project(), sheet));
+}
+
 void Session::rearrange_pieces() { place_pieces({}, "re-arrange all"); }
 
 }  // namespace netwright

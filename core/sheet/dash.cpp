@@ -10,6 +10,7 @@
 namespace netwright {
 
 std::vector<double> fit_dash(std::span<const double> pattern_mm, double length_mm) {
+  if (pattern_mm.empty()) return {};
   const double period = std::accumulate(pattern_mm.begin(), pattern_mm.end(), 0.0);
   const double last_dash = pattern_mm.front();
   const double periods = std::max(1.0, std::round((length_mm - last_dash) / period));

@@ -25,13 +25,14 @@ struct NetLines {
   std::vector<Outline> outlines;
   std::vector<Fold> folds;  ///< mountains and valleys
 };
-NetLines net_lines(const Net& net, const PageLayout& layout);
+NetLines net_lines(const Net& net, const PageLayout& layout, const SheetSettings& settings);
 
 /// What of the net lies on a page, clipped to its frame: folds first, outlines over them.
-void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, const PageLayout::Page& page);
+void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, const PageLayout::Page& page,
+              const LineStyles& styles);
 
 /// A stroke in the style of an edge kind, dashes fitted to its length.
-Stroke net_stroke(EdgeKind kind, glm::dvec2 from, glm::dvec2 to);
+Stroke net_stroke(const LineStyles& styles, EdgeKind kind, glm::dvec2 from, glm::dvec2 to);
 
 /// Crosses in the middle of the overlaps, the tile's borders and the neighbours' names.
 void draw_tile_marks(Sheet& sheet, const PageLayout& layout, const PageLayout::Page& page, const Font& font);
@@ -49,7 +50,8 @@ TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo
 /// Title block, legend and ruler.
 class MarginArtist {
  public:
-  MarginArtist(const PageLayout& layout, TitleWords words) : layout_(layout), words_(std::move(words)) {}
+  MarginArtist(const PageLayout& layout, TitleWords words, const LineStyles& styles)
+      : layout_(layout), words_(std::move(words)), styles_(styles) {}
   void draw(Sheet& sheet, const PageLayout::Page& page) const;
   [[nodiscard]] const Font& font() const { return regular_; }
 
@@ -64,6 +66,7 @@ class MarginArtist {
 
   const PageLayout& layout_;
   TitleWords words_;
+  const LineStyles& styles_;
   Font regular_{FontWeight::Regular};
   Font semi_bold_{FontWeight::SemiBold};
 };

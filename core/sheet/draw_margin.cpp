@@ -205,7 +205,7 @@ void MarginArtist::draw_legend(Sheet& sheet, bool is_stacked) const {
   const double sample = is_stacked ? 8.1 : 18.3;
   for (std::size_t i = 0; i < kEntries.size(); ++i) {
     const glm::dvec2 from = corner + glm::dvec2(static_cast<double>(i) * column, is_stacked ? 4.0 : 6.9);
-    Stroke stroke = net_stroke(kEntries[i].kind, from, from + glm::dvec2(sample, 0));
+    Stroke stroke = net_stroke(styles_, kEntries[i].kind, from, from + glm::dvec2(sample, 0));
     stroke.layer = Layer::Print;
     sheet.strokes.push_back(std::move(stroke));
     const glm::dvec2 at = from + (is_stacked ? glm::dvec2(sample + 1.5, 0.85) : glm::dvec2(0, 3.6));

@@ -1,5 +1,6 @@
 // The net's own lines on a page: outlines joined and clipped, folds with dashes that fit their whole edge, so
 // that a fold that runs over two tiles meets its other half in phase.
+#include <algorithm>
 #include <cmath>
 
 #include "core/sheet/dash.h"
@@ -30,9 +31,25 @@ Stroke mark(glm::dvec2 from, glm::dvec2 to) {
   return {Layer::Regmarks, {from, to}, false, kHairlineWidth, kQuietInk, {}, 0};
 }
 
+IdVector<EdgeId, EdgeKind> drawn_kinds(const Net& net, const SheetSettings& settings) {
+  IdVector<EdgeId, EdgeKind> kinds = edge_kinds(net);
+  for (const EdgeId e : net.mesh().edges()) {
+    if (kinds[e] == EdgeKind::Cut || kinds[e] == EdgeKind::Border) continue;
+    const double bend = net.dual->bend(e);
+    const bool is_asked = std::ranges::binary_search(settings.shown_folds, e);
+    const bool is_bent = kinds[e] != EdgeKind::Hidden && std::abs(bend) >= settings.lines.flat_below_rad;
+    if ((is_bent || is_asked) && !std::ranges::binary_search(settings.hidden_folds, e)) {
+      kinds[e] = bend >= 0 ? EdgeKind::Mountain : EdgeKind::Valley;
+    } else {
+      kinds[e] = EdgeKind::Flat;
+    }
+  }
+  return kinds;
+}
+
 }  // namespace
 
-NetLines net_lines(const Net& net, const PageLayout& layout) {
+NetLines net_lines(const Net& net, const PageLayout& layout, const SheetSettings& settings) {
   const Mesh& mesh = net.mesh();
   const auto point = [&](HalfedgeId h) { return layout.on_canvas(net.piece[mesh.face(h)], net.corner(h)); };
   const auto canvas = [&](int piece) { return layout.pieces[static_cast<std::size_t>(piece)].canvas; };
@@ -42,7 +59,7 @@ NetLines net_lines(const Net& net, const PageLayout& layout) {
     for (const HalfedgeId h : loop.sides) outline.points.push_back(point(h));
     lines.outlines.push_back(std::move(outline));
   }
-  const IdVector<EdgeId, EdgeKind> kinds = edge_kinds(net);
+  const IdVector<EdgeId, EdgeKind> kinds = drawn_kinds(net, settings);
   for (const FaceId f : mesh.faces()) {
     if (net.tree.is_root(f)) continue;
     const HalfedgeId h = net.tree.to_parent(f);
@@ -53,31 +70,29 @@ NetLines net_lines(const Net& net, const PageLayout& layout) {
   return lines;
 }
 
-Stroke net_stroke(EdgeKind kind, glm::dvec2 from, glm::dvec2 to) {
-  const double length = glm::length(to - from);
+Stroke net_stroke(const LineStyles& styles, EdgeKind kind, glm::dvec2 from, glm::dvec2 to) {
+  const auto line = [&](Layer layer, const PrintedLine& style) -> Stroke {
+    std::vector<double> dash = fit_dash(style.dash_mm, glm::length(to - from));
+    return {layer, {from, to}, false, style.width_mm, style.colour, std::move(dash), 0};
+  };
   switch (kind) {
     case EdgeKind::Mountain:
-      return {Layer::Mountain,
-              {from, to},
-              false,
-              kFoldWidth,
-              kMountainColour,
-              fit_dash(kMountainDash, length),
-              0};
+      return line(Layer::Mountain, styles.mountain);
     case EdgeKind::Valley:
-      return {Layer::Valley, {from, to}, false, kFoldWidth, kValleyColour, fit_dash(kValleyDash, length), 0};
+      return line(Layer::Valley, styles.valley);
     default:
-      return {Layer::Cut, {from, to}, false, kCutWidth, kCutColour, {}, 0};
+      return line(Layer::Cut, styles.cut);
   }
 }
 
-void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, const PageLayout::Page& page) {
+void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, const PageLayout::Page& page,
+              const LineStyles& styles) {
   const Box2 window = window_on_canvas(layout, page);
   for (const NetLines::Fold& fold : lines.folds) {
     if (fold.canvas != page.canvas) continue;
     const auto part = clip_segment(window, fold.from, fold.to);
     if (!part) continue;
-    Stroke stroke = net_stroke(fold.kind, fold.from, fold.to);
+    Stroke stroke = net_stroke(styles, fold.kind, fold.from, fold.to);
     const glm::dvec2 along = fold.to - fold.from;
     stroke.points = {layout.on_page(page, fold.from + along * part->first),
                      layout.on_page(page, fold.from + along * part->second)};
@@ -89,7 +104,8 @@ void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, con
     ClippedLine clipped = clip_polyline(window, outline.points, true);
     for (std::vector<glm::dvec2>& run : clipped.runs) {
       for (glm::dvec2& p : run) p = layout.on_page(page, p);
-      sheet.strokes.push_back({Layer::Cut, std::move(run), clipped.is_whole, kCutWidth, kCutColour, {}, 0});
+      sheet.strokes.push_back(
+          {Layer::Cut, std::move(run), clipped.is_whole, styles.cut.width_mm, styles.cut.colour, {}, 0});
     }
   }
 }

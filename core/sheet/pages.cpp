@@ -253,7 +253,8 @@ double scale_for_height(const Net& net, double height_mm) {
 
 }  // namespace
 
-PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size) {
+PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size,
+                   const TabSettings& /*tabs*/) {
   const std::vector<PageFrame> frames = possible_frames(paper);
   const Shapes shapes = shapes_of(net);
   std::optional<PageLayout> best;

@@ -8,6 +8,7 @@
 
 #include "core/base/geometry.h"
 #include "core/sheet/page_frame.h"
+#include "core/unfold/glue_tabs.h"
 #include "core/unfold/net.h"
 
 namespace netwright {
@@ -50,11 +51,15 @@ struct PageLayout {
   std::vector<Placement> pieces;
   std::vector<Canvas> canvases;
   std::vector<Page> pages;  ///< in print order; tiles that no face touches are left out
+  GlueTabs tabs;            ///< of the net at this scale; on_canvas_mm() says where their points lie
 
   /// Where a point of the net (model units, y up) lies on the piece's canvas.
   [[nodiscard]] glm::dvec2 on_canvas(int piece, glm::dvec2 point) const {
-    const Placement& placement = pieces[static_cast<std::size_t>(piece)];
-    const glm::dvec2 turned = placement.turn(point * scale);
+    return on_canvas_mm(piece, point * scale);
+  }
+  /// The same for a point in mm, as those of glue tabs are.
+  [[nodiscard]] glm::dvec2 on_canvas_mm(int piece, glm::dvec2 point_mm) const {
+    const glm::dvec2 turned = pieces[static_cast<std::size_t>(piece)].turn(point_mm);
     return {turned.x, -turned.y};
   }
   /// From canvas to page.
@@ -67,7 +72,8 @@ struct PageLayout {
 /// several pages where one is too small, pieces larger than a page tiled. Pieces keep 3 mm of distance and
 /// one scale. Throws Error(Usage): unknown paper, margins that leave no room, a model without height, over
 /// 1000 pages.
-PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size);
+PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size,
+                   const TabSettings& tabs = no_tabs());
 
 /// The same net with its pieces side by side instead of on top of each other; one piece is left as it is.
 Net spread_pieces(Net net);

@@ -137,7 +137,8 @@ HandLayout as_placed(const Net& net, const PageLayout& layout) {
   return placed;
 }
 
-std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed) {
+std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed,
+                                  const TabSettings& /*tabs*/) {
   const std::optional<PageFrame> frame = frame_of(paper, placed.is_landscape);
   auto pieces = placements(net, placed);
   if (!frame || !pieces) return std::nullopt;

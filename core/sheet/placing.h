@@ -43,7 +43,8 @@ HandLayout as_placed(const Net& net, const PageLayout& layout);
 /// Pages of this paper with the pieces where they were put. A canvas without pieces gives no page. Nothing
 /// when that cannot be: the paper has no such pages, or the places are not those of the net's pieces. Throws
 /// Error(Usage) as arrange() does: unknown paper, margins that leave no room.
-std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed);
+std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed,
+                                  const TabSettings& tabs = no_tabs());
 
 /// The same places for a net that was edited: what was not `moved` stays where it lies, and what came off
 /// stays there, too. `before` and `after` are nets of one model. Automatic when `placed` does not fit

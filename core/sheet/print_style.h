@@ -19,6 +19,8 @@ inline constexpr glm::dvec3 kMountainColour = rgb(0xa8381f);
 inline constexpr glm::dvec3 kValleyColour = rgb(0x2456c8);
 inline constexpr std::array<double, 4> kMountainDash = {3.0, 0.9, 0.3, 0.9};
 inline constexpr std::array<double, 2> kValleyDash = {2.0, 1.2};
+inline constexpr std::array<double, 2> kTabFoldDash = {1.0, 0.8};
+inline constexpr double kCutterWidth = 0.1;
 /// A pattern is shrunk to this share at most to fit an edge; on shorter edges the fold is one solid line.
 inline constexpr double kLeastDashScale = 0.35;
 

@@ -76,9 +76,10 @@ void draw_test_square(Sheet& sheet, const NetLines& lines, const PageLayout& lay
   }
 }
 
-std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info) {
-  const NetLines lines = net_lines(net, layout);
-  const MarginArtist margin(layout, title_words(net, layout, info));
+std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info,
+                               const SheetSettings& settings) {
+  const NetLines lines = net_lines(net, layout, settings);
+  const MarginArtist margin(layout, title_words(net, layout, info), settings.lines);
   std::vector<Sheet> sheets;
   for (const PageLayout::Page& page : layout.pages) {
     Sheet sheet;
@@ -90,7 +91,7 @@ std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const S
     const bool is_tile = layout.canvases[static_cast<std::size_t>(page.canvas)].is_tiled();
     if (sheets.empty() && !is_tile) draw_test_square(sheet, lines, layout, page);
     if (is_tile) draw_tile_marks(sheet, layout, page, margin.font());
-    draw_net(sheet, lines, layout, page);
+    draw_net(sheet, lines, layout, page, settings.lines);
     margin.draw(sheet, page);
     sheets.push_back(std::move(sheet));
   }

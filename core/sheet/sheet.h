@@ -5,17 +5,21 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/image.h"
 #include "core/sheet/pages.h"
+#include "core/sheet/sheet_settings.h"
 #include "core/unfold/fold.h"
 
 namespace netwright {
 
-/// Where a stroke belongs: an SVG layer, a colour for a cutter, a line of the legend.
-enum class Layer { Print, Cut, Mountain, Valley, Regmarks };
+/// Where a mark belongs: an SVG or DXF layer, a colour for a cutter, a line of the legend. Labels are numbers
+/// and words on the net; Print is all that a cutter passes over.
+enum class Layer { Print, Regmarks, Mountain, Valley, TabFold, Labels, Cut };
 
 struct Stroke {
   Layer layer = Layer::Cut;
@@ -42,16 +46,28 @@ struct Text {
   double size_mm = 2.5;  ///< em size
   FontWeight weight = FontWeight::Regular;
   glm::dvec3 colour{0.2, 0.2, 0.2};
+  double angle_rad = 0;  ///< clockwise on the page, about `at`
 };
 
-/// Drawn in this order: fills, strokes, texts.
+/// Pixels on the page: the picture's upper left corner at `at`, rows downwards. Transparent where it has no
+/// ink.
+struct Picture {
+  Layer layer = Layer::Print;
+  glm::dvec2 at{0, 0};
+  glm::dvec2 size_mm{0, 0};
+  std::shared_ptr<const Image> image;
+};
+
+/// Drawn in this order: fills, pictures, strokes, texts.
 struct Sheet {
   double width_mm = 210;
   double height_mm = 297;
   int number = 1;  ///< page n of m
   int count = 1;
-  std::string tag;  ///< "A1" of a tiled net, else empty
+  std::string tag;       ///< "A1" of a tiled net, else empty
+  bool is_back = false;  ///< the reverse of the sheet before it, mirrored left to right
   std::vector<Fill> fills;
+  std::vector<Picture> pictures;
   std::vector<Stroke> strokes;
   std::vector<Text> texts;
 };
@@ -66,6 +82,7 @@ struct SheetInfo {
 /// One sheet per page of the layout. Outlines are closed polylines in order (open where a tile cuts them),
 /// folds one stroke each with dashes fitted so that both ends carry ink, on tiles in phase with the
 /// neighbouring page.
-std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info);
+std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info,
+                               const SheetSettings& settings = {});
 
 }  // namespace netwright

@@ -58,7 +58,7 @@ bool is_export_format(const path& file) {
 }
 
 std::vector<path> write_drawing(const path& file, const Net& net, const PageLayout& layout,
-                                const SheetInfo& info) {
+                                const SheetInfo& info, const SheetSettings& settings) {
   const std::string extension = lower_extension(file);
   if (!is_export_format(file)) {
     std::string known;
@@ -74,7 +74,7 @@ std::vector<path> write_drawing(const path& file, const Net& net, const PageLayo
     write_fold(file, flat);
     return {file};
   }
-  const std::vector<Sheet> sheets = draw_sheets(net, layout, info);
+  const std::vector<Sheet> sheets = draw_sheets(net, layout, info, settings);
   if (extension == ".svg")
     return write_pages(file, sheets, [&](const Sheet& sheet) { return svg_bytes(sheet, title); });
   if (extension == ".png")

@@ -26,7 +26,8 @@ bool is_export_format(const std::filesystem::path& path);
 /// one per page: name.png, or name_1.png, name_2.png … when there are several. Throws Error(Usage) for an
 /// unknown extension, naming the known ones, and Error(Write) when a file cannot be written.
 std::vector<std::filesystem::path> write_drawing(const std::filesystem::path& path, const Net& net,
-                                                 const PageLayout& layout, const SheetInfo& info);
+                                                 const PageLayout& layout, const SheetInfo& info,
+                                                 const SheetSettings& settings = {});
 
 /// The single writers: sheets to bytes. The same sheets give the same bytes.
 std::string pdf_bytes(std::span<const Sheet> sheets, const std::string& title);

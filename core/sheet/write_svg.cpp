@@ -17,10 +17,12 @@ struct LayerName {
   const char* id;
   const char* label;
 };
-constexpr std::array<LayerName, 5> kLayers = {{{Layer::Print, "print", "Print"},
+constexpr std::array<LayerName, 7> kLayers = {{{Layer::Print, "print", "Print"},
                                                {Layer::Regmarks, "regmarks", "Regmarks"},
                                                {Layer::Mountain, "fold-mountain", "Fold Mountain"},
                                                {Layer::Valley, "fold-valley", "Fold Valley"},
+                                               {Layer::TabFold, "fold-tab", "Fold Tab"},
+                                               {Layer::Labels, "labels", "Labels"},
                                                {Layer::Cut, "cut", "Cut"}}};
 
 std::string mm(double value) { return decimal_number(value, 4); }
