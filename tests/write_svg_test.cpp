@@ -78,7 +78,7 @@ TEST(WriteSvg, IsInMillimetresAndNamed) {
 
 TEST(WriteSvg, HasALayerForEachKindOfLine) {
   const auto layers = layers_of(svg_of(shapes::star(7)));
-  ASSERT_EQ(layers.size(), 5U);
+  ASSERT_EQ(layers.size(), 7U);
   for (const char* const name : {"Print", "Cut", "Fold Mountain", "Fold Valley"})
     EXPECT_FALSE(layers.at(name).empty()) << name;
   EXPECT_TRUE(layers.at("Regmarks").empty()) << "one page needs no registration";
@@ -138,7 +138,7 @@ TEST(WriteSvg, WritesOneFilePerPage) {
   const auto files = write_drawing(folder / "box.svg", net, layout, {});
   ASSERT_EQ(files.size(), layout.pages.size());
   EXPECT_EQ(files[1].filename(), "box_2.svg");
-  for (const auto& file : files) EXPECT_EQ(layers_of(read_file(file, 10'000'000)).size(), 5U);
+  for (const auto& file : files) EXPECT_EQ(layers_of(read_file(file, 10'000'000)).size(), 7U);
 }
 
 }  // namespace
