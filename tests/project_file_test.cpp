@@ -69,6 +69,31 @@ PolygonSoup painted_globe() {
   return soup;
 }
 
+void set_printing(Project& project) {
+  TabSettings& tabs = project.tabs;
+  tabs.pattern = TabSettings::Pattern::Alternating;
+  tabs.width_mm = kChildTabWidth;
+  tabs.angle_rad = 0.5;
+  tabs.on_borders = true;
+  tabs.edits = {{EdgeId(2), TabSide::Second, 3.5, std::nullopt, 1.25},
+                {EdgeId(11), TabSide::None, std::nullopt, std::nullopt, std::nullopt}};
+  SheetSettings& sheet = project.sheet;
+  sheet.lines.cut = {{0.1, 0.2, 0.7}, 0.4, {3, 1, 0.5, 1}};
+  sheet.lines.mountain = {{0.5, 0, 0}, 0.3, {2, 1.2}};
+  sheet.lines.valley = {{0, 0.25, 0}, 0.15, {3, 0.9}};
+  sheet.lines.tab_fold = {{0, 0, 0.75}, 0.1, {}};
+  sheet.lines.flat_below_rad = 0.05;
+  sheet.lines.only_ends = true;
+  sheet.labels = {false, false, true, true, true, true, 3.25};
+  sheet.pictures = {false, 150, 0.5, PictureSettings::OnTabs::White};
+  sheet.printed_side = PrintedSide::Both;
+  sheet.is_grey = true;
+  const Image logo{.width = 2, .height = 1, .rgba = {1, 2, 3, 4, 5, 6, 7, 8}};
+  sheet.words = {"Globe", "A. Folder", "120 g/m²", std::make_shared<const Image>(logo)};
+  sheet.hidden_folds = {EdgeId(1), EdgeId(6)};
+  sheet.shown_folds = {EdgeId(8)};
+}
+
 Project full_project() {
   Project project = project_of(painted_globe(), {.faces = 40, .merges = true});
   project.path = "/models/globe.obj";
@@ -83,6 +108,7 @@ Project full_project() {
   project = set_pins(std::move(project), pins);
   project.paper = {"Letter", Orientation::Landscape, 12.5};
   project.size = {PrintSize::Kind::Height, 210.7};
+  set_printing(project);
   return project;
 }
 
@@ -98,6 +124,44 @@ TEST(ProjectFile, GivesBackEveryShapeOfTheZooAsItWas) {
 TEST(ProjectFile, KeepsEverythingThatTheUserMade) {
   const Project project = full_project();
   expect_same(project, reopened(project));
+}
+
+TEST(ProjectFile, RefusesSettingsThatCannotBePrinted) {
+  const ProjectParts good = to_parts(full_project(), {}, nullptr);
+  const auto told = [&](const std::string& from, const std::string& to) {
+    ProjectParts parts = good;
+    parts.json = replaced(parts.json, from, to);
+    return refusal(parts);
+  };
+  EXPECT_EQ(
+      told("\"dpi\": 150", "\"dpi\": 100000"),
+      "test.netwright is damaged: “dpi” of the pictures is not a number it could be; open an earlier copy of "
+      "it.");
+  EXPECT_NE(told("\"dash_mm\": [3, 1, 0.5, 1]", "\"dash_mm\": [0, 0]"), "");
+  EXPECT_NE(told("\"dash_mm\": [3, 1, 0.5, 1]", "\"dash_mm\": [3]"), "");
+  EXPECT_NE(told("\"pattern\": \"alternating\"", "\"pattern\": \"zigzag\""), "");
+  EXPECT_NE(told("\"hidden_folds\": [", "\"hidden_folds\": [99999, 0, "), "");
+  EXPECT_NE(told("\"width_mm\": 3.5", "\"width_mm\": 3000.5"), "");
+  EXPECT_EQ(told("\"on_borders\": true", "\"on_borders\": false"), "");
+}
+
+TEST(ProjectFile, KnowsTheSideOfATabWhicheverFaceAnEdgeBeginsWith) {
+  const Project project = full_project();
+  const Mesh& mesh = project.dual->mesh();
+  const EdgeId e = project.tabs.edits.front().edge;
+  const auto corner_text = [&](HalfedgeId h) {
+    return "[" + std::to_string(mesh.face(h).value) + ", " +
+           std::to_string(h.value - mesh.first(mesh.face(h)).value) + "]";
+  };
+  const HalfedgeId side = mesh.halfedge(e);
+  ProjectParts parts = to_parts(project, {}, nullptr);
+  parts.json =
+      replaced(parts.json, "\"at\": " + corner_text(side), "\"at\": " + corner_text(mesh.twin(side)));
+  const TabEdit edit = from_parts(parts, "test.netwright").project.tabs.edits.front();
+  EXPECT_EQ(edit.edge, e);
+  EXPECT_EQ(edit.side, TabSide::First);
+  EXPECT_EQ(edit.first_angle_rad, 1.25);
+  EXPECT_EQ(edit.second_angle_rad, std::nullopt);
 }
 
 TEST(ProjectFile, KnowsMergedFacesAndGroupsThatWereSplitAgain) {
@@ -213,10 +277,17 @@ TEST(ProjectFile, CanBeGlancedAt) {
   EXPECT_EQ(alpha_at(1, 1), 0) << "and nothing in the corner";
 }
 
-TEST(ProjectFile, EveryOlderVersionCanBeRead) {
-  const fs::path golden = fs::path(NETWRIGHT_SOURCE) / "tests/golden/v1.netwright";
-  ASSERT_TRUE(is_project_file(golden));
-  const Project project = load_project(golden).project;
+class GoldenProject : public ::testing::TestWithParam<const char*> {
+ protected:
+  static Project read() {
+    const fs::path golden = fs::path(NETWRIGHT_SOURCE) / "tests/golden" / GetParam();
+    EXPECT_TRUE(is_project_file(golden));
+    return load_project(golden).project;
+  }
+};
+
+TEST_P(GoldenProject, CanBeRead) {
+  const Project project = read();
   EXPECT_EQ(project.source->name, "globe");
   EXPECT_EQ(project.path, fs::path("globe.obj"));
   EXPECT_EQ(project.recipe, (Recipe{.faces = 40, .merges = true}));
@@ -238,6 +309,22 @@ TEST(ProjectFile, EveryOlderVersionCanBeRead) {
   EXPECT_EQ(derived->shown->net.n_pieces, 1);
 }
 
+INSTANTIATE_TEST_SUITE_P(ProjectFile, GoldenProject, ::testing::Values("v1.netwright", "v2.netwright"));
+
+TEST(ProjectFile, TheFirstVersionKnewNoTabsAndIsPrintedWithTheUsualOnes) {
+  const Project project = load_project(fs::path(NETWRIGHT_SOURCE) / "tests/golden/v1.netwright").project;
+  EXPECT_EQ(project.tabs, TabSettings());
+  EXPECT_EQ(project.sheet, SheetSettings());
+}
+
+TEST(ProjectFile, TheSecondVersionKnowsTabsLinesAndWords) {
+  const Project project = load_project(fs::path(NETWRIGHT_SOURCE) / "tests/golden/v2.netwright").project;
+  Project wanted;
+  set_printing(wanted);
+  EXPECT_EQ(project.tabs, wanted.tabs);
+  expect_same(project.sheet, wanted.sheet);
+}
+
 TEST(ProjectFile, MissingValuesMeanTheDefaultsOfOlderFiles) {
   ProjectParts parts = to_parts(project_of(shapes::cube()), {}, nullptr);
   parts.json = R"({"format": 1})";
@@ -250,8 +337,10 @@ TEST(ProjectFile, MissingValuesMeanTheDefaultsOfOlderFiles) {
 TEST(ProjectFile, TellsThatAFileIsOfANewerNetwright) {
   const ProjectParts good = to_parts(full_project(), {}, nullptr);
   ProjectParts parts = good;
-  parts.json = replaced(good.json, "\"format\": 1", "\"format\": 2");
-  EXPECT_NE(refusal(parts).find("newer Netwright (format 2"), std::string::npos) << refusal(parts);
+  const auto format = [](int number) { return "\"format\": " + std::to_string(number); };
+  parts.json = replaced(good.json, format(kProjectFormat), format(kProjectFormat + 1));
+  const std::string told = "newer Netwright (format " + std::to_string(kProjectFormat + 1);
+  EXPECT_NE(refusal(parts).find(told), std::string::npos) << refusal(parts);
   parts.json = replaced(good.json, "\"merges\":", "\"folds_itself\": true, \"merges\":");
   EXPECT_NE(refusal(parts).find("newer Netwright (the recipe has “folds_itself”"), std::string::npos)
       << refusal(parts);

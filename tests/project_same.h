@@ -79,6 +79,16 @@ inline void expect_same(const MadeModel& a, const MadeModel& b) {
   expect_same(*a.stages->mesh, *b.stages->mesh);
 }
 
+inline void expect_same(SheetSettings a, SheetSettings b) {
+  ASSERT_EQ(a.words.picture != nullptr, b.words.picture != nullptr);
+  if (a.words.picture) {
+    EXPECT_EQ(a.words.picture->width, b.words.picture->width);
+    EXPECT_EQ(a.words.picture->rgba, b.words.picture->rgba);
+  }
+  a.words.picture = b.words.picture = nullptr;
+  EXPECT_EQ(a, b);
+}
+
 /// Everything in them is equal, though no part need be the same object.
 inline void expect_same(const Project& a, const Project& b) {
   EXPECT_EQ(a.path, b.path);
@@ -95,6 +105,8 @@ inline void expect_same(const Project& a, const Project& b) {
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.paper, b.paper);
   EXPECT_EQ(a.size, b.size);
+  EXPECT_EQ(a.tabs, b.tabs);
+  expect_same(a.sheet, b.sheet);
   EXPECT_EQ(a.placed, b.placed);
 }
 

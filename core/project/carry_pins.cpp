@@ -24,23 +24,6 @@ Segment segment(const Mesh& mesh, EdgeId e) {
   return {0.5 * (a + b), b - a};
 }
 
-EdgeId nearest_edge(const Mesh& from, EdgeId pinned, const Mesh& to) {
-  const Segment own = segment(from, pinned);
-  const double own_length = glm::length(own.along);
-  EdgeId best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const EdgeId e : to.edges()) {
-    const Segment other = segment(to, e);
-    const double distance = glm::length(other.middle - own.middle);
-    const double length = glm::length(other.along);
-    if (distance >= least || distance > 0.5 * std::max(length, own_length)) continue;
-    if (std::abs(glm::dot(own.along, other.along)) < kSameWay * own_length * length) continue;
-    least = distance;
-    best = e;
-  }
-  return best;
-}
-
 FaceId nearest_face(const Mesh& from, FaceId pinned, const Mesh& to) {
   FaceId best;
   double least = std::numeric_limits<double>::infinity();
@@ -71,6 +54,23 @@ std::vector<std::vector<FaceId>> carry_patches(const Constraints& pins, const Me
 }
 
 }  // namespace
+
+EdgeId nearest_edge(const Mesh& from, EdgeId edge, const Mesh& to) {
+  const Segment own = segment(from, edge);
+  const double own_length = glm::length(own.along);
+  EdgeId best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const EdgeId e : to.edges()) {
+    const Segment other = segment(to, e);
+    const double distance = glm::length(other.middle - own.middle);
+    const double length = glm::length(other.along);
+    if (distance >= least || distance > 0.5 * std::max(length, own_length)) continue;
+    if (std::abs(glm::dot(own.along, other.along)) < kSameWay * own_length * length) continue;
+    least = distance;
+    best = e;
+  }
+  return best;
+}
 
 std::string CarriedPins::sentence() const {
   if (n_lost == 0) return "";

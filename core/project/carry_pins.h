@@ -16,6 +16,9 @@ struct CarriedPins {
   [[nodiscard]] std::string sentence() const;
 };
 
+/// The edge of `to` in the place of one of `from`, by the rule of carry_pins(); invalid when there is none.
+EdgeId nearest_edge(const Mesh& from, EdgeId edge, const Mesh& to);
+
 /// An edge's pin goes to the edge whose middle is nearest among those that run the same way (within 30
 /// degrees), no farther than half of the longer one; the root to the nearest face that looks the same way,
 /// first of all the one that comes from the same face of the file. A patch goes to the faces that lie in it.

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/project/carry_pins.h"
+#include "core/project/carry_settings.h"
 #include "core/sheet/placing_edits.h"
 
 namespace netwright {
@@ -60,6 +61,11 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
   const std::array root_source{
       project.pins.root.is_valid() ? project.dual->mesh().face_source(project.pins.root) : -1};
   project.pins = carry_pins(project.pins, project.dual->mesh(), made->dual->mesh()).pins;
+  const Mesh& before = project.dual->mesh();
+  carry_settings(
+      project.tabs, project.sheet, before, made->dual->mesh(),
+      [&](EdgeId e) { return nearest_edge(before, e, made->dual->mesh()); },
+      [](const glm::dvec3& d) { return d; });
   // What became of the face is known; where it is nearest, only guessed.
   const std::vector<FaceId> heirs = faces_made_of(made->origins, root_source);
   if (!heirs.empty()) project.pins.root = heirs.front();
@@ -70,7 +76,6 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
   project.run.reset();
   project.edits = {};
   project.placed = {};
-  forget_edges(project);
   return project;
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "core/base/json.h"
+#include "core/project/mesh_json.h"
 #include "core/project/project_words.h"
+#include "core/project/settings_json.h"
 #include "core/project/shape_bytes.h"
 
 namespace netwright {
@@ -140,17 +142,6 @@ Json tree_json(const UnfoldTree& tree, const Mesh& mesh) {
   return json;
 }
 
-/// Face and corner where the edge begins, face and corner …
-Json edges_json(const std::vector<EdgeId>& edges, const Mesh& mesh) {
-  Json json{Json::Array{}};
-  for (const EdgeId e : edges) {
-    const HalfedgeId h = mesh.halfedge(e);
-    json.add(mesh.face(h).value);
-    json.add(h.value - mesh.first(mesh.face(h)).value);
-  }
-  return json;
-}
-
 Json pins_json(const Constraints& pins, const Mesh& mesh) {
   Json json;
   json.set("root", pins.root.value);
@@ -246,6 +237,9 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   size.set("height_mm", project.size.height_mm);
   json.set("size", std::move(size));
   if (!project.placed.is_automatic()) json.set("placed", placed_json(project.placed));
+  json.set("tabs", tabs_json(project.tabs, mesh));
+  json.set("sheet",
+           sheet_json(project.sheet, mesh, [&](const auto& image) { return pictures.number_of(image); }));
   return json;
 }
 

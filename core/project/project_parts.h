@@ -36,7 +36,7 @@ struct PictureCache {
 };
 
 /// The version of the format; files of this one and all older ones are read.
-inline constexpr int kProjectFormat = 1;
+inline constexpr int kProjectFormat = 2;
 
 /// The project must have a model. `cache` may be null.
 ProjectParts to_parts(const Project& project, const std::filesystem::path& belongs_to, PictureCache* cache,

@@ -11,7 +11,9 @@
 #include "core/base/json.h"
 #include "core/mesh/difficulty.h"
 #include "core/project/json_fields.h"
+#include "core/project/mesh_json.h"
 #include "core/project/project_words.h"
+#include "core/project/settings_json.h"
 #include "core/project/shape_bytes.h"
 
 namespace netwright {
@@ -55,6 +57,8 @@ class Reader {
     project.paper = read_paper(fields.object("paper"));
     project.size = read_size(fields.object("size"));
     project.placed = read_placed(project, fields.object("placed"));
+    project.tabs = read_tabs(fields.object("tabs"), file_, project.dual->mesh());
+    project.sheet = read_sheet(fields.object("sheet"), file_, project.dual->mesh(), pictures_);
     fields.finish();
     return stored;
   }
@@ -228,21 +232,6 @@ class Reader {
 
   static std::uint64_t seed(JsonFields& fields) {
     return static_cast<std::uint64_t>(fields.integer("seed", -kMost - 1, kMost, 0));
-  }
-
-  static std::vector<EdgeId> read_edges(JsonFields& fields, std::string_view key, const Mesh& mesh) {
-    const std::vector<int> numbers = fields.integers(key, 0, kMostInt);
-    std::vector<EdgeId> edges;
-    for (std::size_t i = 0; i < numbers.size(); i += 2) {
-      const FaceId f(numbers[i]);
-      const bool is_there =
-          i + 1 < numbers.size() && f.index() < mesh.n_faces() && numbers[i + 1] < mesh.degree(f);
-      if (!is_there) fields.refuse(key, "names an edge that is not there");
-      edges.push_back(mesh.edge(HalfedgeId(mesh.first(f).value + numbers[i + 1])));
-    }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    return edges;
   }
 
   void read_patches(JsonFields& fields, Constraints& pins, const Mesh& mesh) const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/project/carry_settings.h"
 #include "core/project/replace_pins.h"
 #include "core/project/replace_recipe.h"
 #include "core/solve/disjoint_sets.h"
@@ -29,8 +30,10 @@ std::int64_t as_count(std::size_t n) { return static_cast<std::int64_t>(n); }
 /// Those whose place in the new mesh matters most.
 std::vector<EdgeId> pinned_and_edited(const Project& project) {
   std::vector<EdgeId> edges = project.pins.must_fold;
-  for (const auto* more : {&project.pins.must_cut, &project.edits.must_fold, &project.edits.must_cut})
+  for (const auto* more : {&project.pins.must_cut, &project.edits.must_fold, &project.edits.must_cut,
+                           &project.sheet.hidden_folds, &project.sheet.shown_folds})
     edges.insert(edges.end(), more->begin(), more->end());
+  for (const TabEdit& edit : project.tabs.edits) edges.push_back(edit.edge);
   return edges;
 }
 
@@ -162,6 +165,9 @@ class Replacer {
     const Mesh& to = next.dual->mesh();
     const MeshMatch match = match_meshes(from, to, frame_, pinned_and_edited(old_));
     replace_pins(old_, match, frame_, next, report);
+    carry_settings(
+        next.tabs, next.sheet, from, to, [&](EdgeId e) { return match.edges[e]; },
+        [&](const glm::dvec3& d) { return frame_.direction(d); });
     if (old_.tree)
       result_.start = std::make_shared<const UnfoldTree>(start_forest(*old_.tree, from, to, match, report));
     std::vector<MeshReport::Line> lines = general_lines(old_, next, frame_, report);

@@ -101,6 +101,12 @@ int main(int argc, char** argv) {
   painted.materials = {{"paint", {1, 1, 1}, std::make_shared<const Image>(pixels)}};
   painted.face_material.assign(static_cast<std::size_t>(painted.n_faces()), 0);
   write_project(root / "project", "painted", testing::project_of(painted, {.faces = 12, .merges = true}));
+  Project printed = testing::project_of(shapes::cube());
+  printed.tabs.edits = {{EdgeId(1), TabSide::Both, 4.0, 0.5, 1.0}, {EdgeId(2), TabSide::None, {}, {}, {}}};
+  printed.sheet.words = {"Cube", "me", "a note", painted.materials.front().texture};
+  printed.sheet.hidden_folds = {EdgeId(3)};
+  printed.sheet.shown_folds = {EdgeId(4)};
+  write_project(root / "project", "printed", std::move(printed));
   write(root / "obj", "textured", shapes::to_obj(soups.back(), "library.mtl"));
   return 0;
 }
