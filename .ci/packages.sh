@@ -4,10 +4,10 @@ build_packages=(
   g++ cmake ninja-build pkg-config python3-glad
   libglfw3-dev libimgui-dev libglm-dev libeigen3-dev libgl-dev libegl-dev
   libtinyobjloader-dev libtinygltf-dev libassimp-dev libstb-dev
-  libcairo2-dev libfreetype-dev libcli11-dev nlohmann-json3-dev libzip-dev
+  libcairo2-dev libfreetype-dev libcli11-dev nlohmann-json3-dev libzip-dev libqpdf-dev
   libgl1 libgl1-mesa-dri libegl1 libegl-mesa0)
 test_packages=(libgtest-dev xvfb xauth xdotool x11-utils imagemagick poppler-utils mupdf-tools
-  desktop-file-utils appstream shared-mime-info groff-base dpkg-dev python3)
+  librsvg2-bin python3-ezdxf desktop-file-utils appstream shared-mime-info groff-base dpkg-dev python3)
 lint_packages=(clang-format clang-tidy-16)
 
 say() { printf '%s\n' "$*" >&2; }

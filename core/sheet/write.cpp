@@ -15,10 +15,11 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr std::array<ExportFormat, 4> kFormats = {
+constexpr std::array<ExportFormat, 5> kFormats = {
     {{".pdf", "PDF, true to scale, all pages"},
      {".svg", "SVG with layers for cutting machines, one file per page"},
-     {".png", "PNG at 300 dpi, one file per page"},
+     {".dxf", "DXF for cutting machines, one unit is 1 mm"},
+     {".png", "PNG, true to scale, one file per page"},
      {".fold", "FOLD 1.2, the net as data that can be verified"}}};
 
 std::string lower_extension(const path& file) {
@@ -29,20 +30,23 @@ std::string lower_extension(const path& file) {
 }
 
 /// name.png, or name_3.png for the third of several.
-path page_path(const path& file, const Sheet& sheet) {
-  if (sheet.count == 1) return file;
+path page_path(const path& file, std::size_t index, std::size_t count) {
+  if (count == 1) return file;
   path numbered = file;
-  numbered.replace_filename(file.stem().string() + "_" + std::to_string(sheet.number) +
+  numbered.replace_filename(file.stem().string() + "_" + std::to_string(index + 1) +
                             file.extension().string());
   return numbered;
 }
 
+/// One file per sheet, or one for all; `to_bytes` takes a span of sheets.
 template <class ToBytes>
-std::vector<path> write_pages(const path& file, const std::vector<Sheet>& sheets, const ToBytes& to_bytes) {
+std::vector<path> write_pages(const path& file, std::span<const Sheet> sheets, bool is_one_file,
+                              const ToBytes& to_bytes) {
   std::vector<path> written;
-  for (const Sheet& sheet : sheets) {
-    written.push_back(page_path(file, sheet));
-    write_file(written.back(), to_bytes(sheet));
+  const std::size_t per_file = is_one_file ? sheets.size() : 1;
+  for (std::size_t i = 0; i < sheets.size(); i += per_file) {
+    written.push_back(page_path(file, i, is_one_file ? 1 : sheets.size()));
+    write_file(written.back(), to_bytes(sheets.subspan(i, per_file)));
   }
   return written;
 }
@@ -58,7 +62,8 @@ bool is_export_format(const path& file) {
 }
 
 std::vector<path> write_drawing(const path& file, const Net& net, const PageLayout& layout,
-                                const SheetInfo& info, const SheetSettings& settings) {
+                                const SheetInfo& info, const SheetSettings& settings,
+                                const ExportSettings& exports) {
   const std::string extension = lower_extension(file);
   if (!is_export_format(file)) {
     std::string known;
@@ -75,10 +80,17 @@ std::vector<path> write_drawing(const path& file, const Net& net, const PageLayo
     return {file};
   }
   const std::vector<Sheet> sheets = draw_sheets(net, layout, info, settings);
+  using Sheets = std::span<const Sheet>;
   if (extension == ".svg")
-    return write_pages(file, sheets, [&](const Sheet& sheet) { return svg_bytes(sheet, title); });
-  if (extension == ".png")
-    return write_pages(file, sheets, [](const Sheet& sheet) { return png_bytes(sheet); });
+    return write_pages(file, sheets, exports.is_one_file,
+                       [&](Sheets some) { return svg_bytes(some, title, exports); });
+  if (extension == ".dxf")
+    return write_pages(file, sheets, exports.is_one_file,
+                       [&](Sheets some) { return dxf_bytes(some, exports); });
+  if (extension == ".png") {
+    const int dpi = std::clamp(exports.png_dpi, kLeastDpi, kMostDpi);
+    return write_pages(file, sheets, false, [&](Sheets some) { return png_bytes(some.front(), dpi); });
+  }
   write_file(file, pdf_bytes(sheets, title));
   return {file};
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/sheet/export_settings.h"
 #include "core/sheet/sheet.h"
 
 namespace netwright {
@@ -22,16 +23,25 @@ std::span<const ExportFormat> export_formats();
 /// True when the path's extension (case ignored) is in the table.
 bool is_export_format(const std::filesystem::path& path);
 
-/// Draws the net and writes it; returns the files made. PDF and FOLD are one file; PNG (300 dpi) and SVG are
-/// one per page: name.png, or name_1.png, name_2.png … when there are several. Throws Error(Usage) for an
-/// unknown extension, naming the known ones, and Error(Write) when a file cannot be written.
+/// Draws the net and writes it; returns the files made. PDF and FOLD are one file; PNG, SVG and DXF are one
+/// per page: name.png, or name_1.png, name_2.png … when there are several; SVG and DXF on request one for
+/// all. Throws Error(Usage) for an unknown extension, naming the known ones, and Error(Write) when a file
+/// cannot be written.
 std::vector<std::filesystem::path> write_drawing(const std::filesystem::path& path, const Net& net,
                                                  const PageLayout& layout, const SheetInfo& info,
-                                                 const SheetSettings& settings = {});
+                                                 const SheetSettings& settings = {},
+                                                 const ExportSettings& exports = {});
 
-/// The single writers: sheets to bytes. The same sheets give the same bytes.
+/// The single writers: sheets to bytes. The same sheets give the same bytes. Several sheets lie side by side
+/// in SVG and DXF. DXF has no Layer::Print: it is for machines.
 std::string pdf_bytes(std::span<const Sheet> sheets, const std::string& title);
 std::string png_bytes(const Sheet& sheet, double dpi = 300);
-std::string svg_bytes(const Sheet& sheet, const std::string& title);
+std::string svg_bytes(std::span<const Sheet> sheets, const std::string& title,
+                      const ExportSettings& settings = {});
+inline std::string svg_bytes(const Sheet& sheet, const std::string& title,
+                             const ExportSettings& settings = {}) {
+  return svg_bytes(std::span(&sheet, 1), title, settings);
+}
+std::string dxf_bytes(std::span<const Sheet> sheets, const ExportSettings& settings = {});
 
 }  // namespace netwright
