@@ -27,6 +27,7 @@ set(foreign
   "assimp/.*=core/mesh/read_assimp[.]cpp"
   "Eigen/.*=core/mesh/planarize[.]cpp"
   "(cairo.*|ft2build[.]h|FT_[A-Z_]+|freetype/.*)=core/sheet/write_cairo[.]cpp"
+  "qpdf/.*=core/sheet/print_preferences[.]cpp"
   "zip[.]h=core/project/project_file[.]cpp"
   "nlohmann/.*=core/base/json[.](h|cpp)"
   "stb_.*=core/base/image[.]cpp"

@@ -149,6 +149,17 @@ TEST_F(WritePdf, AsksViewersNotToShrinkThePage) {
   EXPECT_NE(root.find("/PrintScaling /None"), std::string::npos) << root;
 }
 
+TEST_F(WritePdf, AsksPrintersToTurnTheSheetOverWhenThereAreBackPages) {
+  std::vector<Sheet> sheets(2);
+  const auto root_of = [&] {
+    write_file(pdf_, pdf_bytes(sheets, ""));
+    return output_of({"mutool", "show", pdf_.string(), "trailer/Root/ViewerPreferences"});
+  };
+  EXPECT_EQ(root_of().find("/Duplex"), std::string::npos);
+  sheets[1].is_back = true;
+  EXPECT_NE(root_of().find("/Duplex /DuplexFlipLongEdge"), std::string::npos);
+}
+
 TEST_F(WritePdf, GivesTheSameBytesEachTime) {
   write(shapes::icosphere(2), {});
   const std::string first = read_file(pdf_, 10'000'000);

@@ -5,6 +5,7 @@
 #include <cairo.h>
 #include <ft2build.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -19,6 +20,7 @@
 #include "core/base/error.h"
 #include "core/sheet/font.h"
 #include "core/sheet/patch_bytes.h"
+#include "core/sheet/print_preferences.h"
 #include "core/sheet/write.h"
 
 namespace netwright {
@@ -245,7 +247,7 @@ std::string pdf_bytes(std::span<const Sheet> sheets, const std::string& title) {
   }
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()));
-  return with_true_size_printing(std::move(bytes));
+  return with_print_preferences(bytes, std::ranges::any_of(sheets, &Sheet::is_back));
 }
 
 std::string png_bytes(const Sheet& sheet, double dpi) {
