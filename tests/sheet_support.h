@@ -25,6 +25,31 @@ inline Net net_of(const PolygonSoup& soup) {
   return layout(dual, steepest_edge_tree(*dual, random));
 }
 
+/// A tab on every side that is cut, as wide as asked and a third of the side at most. They may cover what
+/// they like.
+inline GlueTabs tabs_everywhere(const Net& net, double scale, double width_mm = 3) {
+  const Mesh& mesh = net.mesh();
+  GlueTabs tabs;
+  for (const HalfedgeId h : mesh.halfedges()) {
+    if (mesh.is_border(mesh.edge(h)) || net.tree.is_fold(mesh, mesh.edge(h))) continue;
+    const glm::dvec2 begin = net.corner(h) * scale;
+    const glm::dvec2 end = net.corner(mesh.next(h)) * scale;
+    const glm::dvec2 along = glm::normalize(end - begin);
+    const double width = std::min(width_mm, glm::length(end - begin) / 3);
+    const glm::dvec2 out = width * glm::dvec2(along.y, -along.x);
+    tabs.tabs.push_back(
+        {h, {end, begin, begin + out + along * width, end + out - along * width}, width, true});
+  }
+  return tabs;
+}
+
+/// Shows this much more of the canvas on every page, for tabs that the layout left no room for.
+inline void widen(PageLayout& layout, double mm) {
+  layout.frame.net.min -= mm;
+  layout.frame.net.max += mm;
+  for (PageLayout::Page& page : layout.pages) page.origin -= mm;
+}
+
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -69,7 +94,8 @@ inline double length_of(const Stroke& stroke) {
 }
 
 inline bool is_of_net(const Stroke& stroke) {
-  return stroke.layer == Layer::Cut || stroke.layer == Layer::Mountain || stroke.layer == Layer::Valley;
+  return stroke.layer == Layer::Cut || stroke.layer == Layer::Mountain || stroke.layer == Layer::Valley ||
+         stroke.layer == Layer::TabFold;
 }
 
 }  // namespace netwright::testing

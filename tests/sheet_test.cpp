@@ -139,6 +139,88 @@ TEST(DrawSheets, JoinsEachPiecesOutlineIntoOneClosedPath) {
   }
 }
 
+TEST(DrawSheets, LeadsTheOutlineRoundTheTabs) {
+  for (const testing::ZooShape& shape : testing::zoo()) {
+    SCOPED_TRACE(shape.soup.name);
+    const Net net = net_of(shape.soup);
+    PageLayout layout = arrange(net, {}, {});
+    layout.tabs = testing::tabs_everywhere(net, layout.scale);
+    testing::widen(layout, 4);
+    const std::vector<Sheet> sheets = draw_sheets(net, layout, {});
+    std::size_t n_corners = 0;
+    double length = 0;
+    for (const Stroke& stroke : sheets.front().strokes) {
+      if (stroke.layer != Layer::Cut) continue;
+      EXPECT_TRUE(stroke.is_closed);
+      n_corners += stroke.points.size();
+      length += length_of(stroke);
+    }
+    std::size_t n_sides = 0;
+    for (const OutlineLoop& loop : outline_loops(net)) n_sides += loop.sides.size();
+    EXPECT_EQ(n_corners, n_sides + 2 * layout.tabs.tabs.size());
+    // Each tab replaces its side by two slants of 45 degrees and a shorter rim.
+    double expected = 0;
+    for (const OutlineLoop& loop : outline_loops(net))
+      for (const HalfedgeId h : loop.sides) expected += net.mesh().length(net.mesh().edge(h)) * layout.scale;
+    for (const GlueTab& tab : layout.tabs.tabs) expected += 2 * (std::sqrt(2.0) - 1) * tab.width_mm;
+    EXPECT_NEAR(length, expected, 1e-6 * expected);
+  }
+}
+
+TEST(DrawSheets, DrawsAFoldWhereATabBegins) {
+  const Net net = net_of(shapes::cube());
+  PageLayout layout = arrange(net, {}, {});
+  const auto tab_folds = [&](const SheetSettings& settings) {
+    std::vector<Stroke> found;
+    const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+    for (const Stroke& stroke : sheets.front().strokes)
+      if (stroke.layer == Layer::TabFold) found.push_back(stroke);
+    return found;
+  };
+  EXPECT_TRUE(tab_folds({}).empty());
+  layout.tabs = testing::tabs_everywhere(net, layout.scale);
+  ASSERT_EQ(tab_folds({}).size(), 14U);
+  for (const Stroke& stroke : tab_folds({})) {
+    const double period = std::accumulate(stroke.dash_mm.begin(), stroke.dash_mm.end(), 0.0);
+    EXPECT_NEAR(std::fmod(length_of(stroke) + 1e-9, period), stroke.dash_mm[0], 1e-6);
+  }
+}
+
+TEST(DrawSheets, NamesTabFoldsInTheLegendWhereThereAreTabs) {
+  const Net net = net_of(shapes::icosphere(2));
+  for (const char* format : {"A4", "A5", "A6"}) {
+    PageLayout layout = arrange(net, {format, Orientation::Portrait, 10}, {});
+    const auto has_entry = [&] {
+      const std::vector<Sheet> sheets = draw_sheets(net, layout, {});
+      return std::ranges::any_of(sheets.front().texts, [](const Text& t) { return t.words == "tab fold"; });
+    };
+    EXPECT_FALSE(has_entry());
+    layout.tabs = testing::tabs_everywhere(net, layout.scale, 1);
+    EXPECT_TRUE(has_entry());
+    for (const Sheet& sheet : draw_sheets(net, layout, {})) {
+      Sheet margin = sheet;
+      std::erase_if(margin.strokes, is_of_net);
+      expect_on_paper(margin, layout.frame.printable);
+    }
+  }
+}
+
+TEST(DrawSheets, MarksOnlyTheEndsOfFoldsOnRequest) {
+  const Net net = net_of(shapes::cube());
+  const PageLayout layout = arrange(net, {}, {});
+  SheetSettings settings;
+  settings.lines.only_ends = true;
+  settings.lines.end_mark_mm = 4;
+  int n_marks = 0;
+  const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+  for (const Stroke& stroke : sheets.front().strokes) {
+    if (stroke.layer != Layer::Mountain) continue;
+    ++n_marks;
+    EXPECT_NEAR(length_of(stroke), 4, 1e-9);
+  }
+  EXPECT_EQ(n_marks, 2 * 5);
+}
+
 TEST(DrawSheets, GivesMountainsAndValleysTheirOwnStyle) {
   const Net net = net_of(shapes::star(7));
   const PageLayout layout = arrange(net, {}, {});

@@ -14,28 +14,41 @@ namespace netwright {
 struct NetLines {
   struct Outline {
     int canvas = 0;
-    std::vector<glm::dvec2> points;  ///< closed
+    std::vector<glm::dvec2> points;  ///< closed, round faces and tabs
   };
   struct Fold {
     int canvas = 0;
     glm::dvec2 from{0, 0};
     glm::dvec2 to{0, 0};
-    EdgeKind kind = EdgeKind::Mountain;
+    Layer layer = Layer::Mountain;  ///< or Valley, or TabFold
   };
   std::vector<Outline> outlines;
-  std::vector<Fold> folds;  ///< mountains and valleys
+  std::vector<Fold> folds;  ///< those that are drawn
 };
 NetLines net_lines(const Net& net, const PageLayout& layout, const SheetSettings& settings);
 
-/// What of the net lies on a page, clipped to its frame: folds first, outlines over them.
-void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, const PageLayout::Page& page,
-              const LineStyles& styles);
+/// One side of a page: where it shows its window of the canvas, mirrored left to right or not.
+struct PageView {
+  const PageLayout& layout;
+  const PageLayout::Page& page;
+  bool is_mirrored = false;
+  Box2 frame;  ///< on the page
 
-/// A stroke in the style of an edge kind, dashes fitted to its length.
-Stroke net_stroke(const LineStyles& styles, EdgeKind kind, glm::dvec2 from, glm::dvec2 to);
+  [[nodiscard]] Box2 window() const { return {page.origin, page.origin + layout.frame.net.size()}; }
+  [[nodiscard]] glm::dvec2 at(glm::dvec2 on_canvas) const {
+    const glm::dvec2 p = on_canvas - page.origin;
+    return {is_mirrored ? frame.max.x - p.x : frame.min.x + p.x, frame.min.y + p.y};
+  }
+};
+
+/// What of the net lies on a page, clipped to its frame: folds first, outlines over them.
+void draw_net(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles);
+
+/// A stroke in the style of its layer (the net's own, not Print), dashes fitted to its length.
+Stroke net_stroke(const LineStyles& styles, Layer layer, glm::dvec2 from, glm::dvec2 to);
 
 /// Crosses in the middle of the overlaps, the tile's borders and the neighbours' names.
-void draw_tile_marks(Sheet& sheet, const PageLayout& layout, const PageLayout::Page& page, const Font& font);
+void draw_tile_marks(Sheet& sheet, const PageView& view, const Font& font);
 
 /// The words of the title block that are the same on every page.
 struct TitleWords {
@@ -52,15 +65,16 @@ class MarginArtist {
  public:
   MarginArtist(const PageLayout& layout, TitleWords words, const LineStyles& styles)
       : layout_(layout), words_(std::move(words)), styles_(styles) {}
-  void draw(Sheet& sheet, const PageLayout::Page& page) const;
+  /// `side` says in a sentence which side of the paper this is.
+  void draw(Sheet& sheet, const PageView& view, const std::string& side) const;
   [[nodiscard]] const Font& font() const { return regular_; }
 
  private:
-  void draw_header(Sheet& sheet, const PageLayout::Page& page) const;
-  [[nodiscard]] double draw_map(Sheet& sheet, const PageLayout::Page& page, double right) const;
+  void draw_header(Sheet& sheet, const PageView& view) const;
+  [[nodiscard]] double draw_map(Sheet& sheet, const PageView& view, double right) const;
   void draw_proof(Sheet& sheet, double right, double baseline) const;
-  void draw_footer(Sheet& sheet) const;
-  void draw_legend(Sheet& sheet, bool is_stacked) const;
+  void draw_footer(Sheet& sheet, const std::string& side) const;
+  void draw_legend(Sheet& sheet, bool is_stacked, const std::string& side) const;
   [[nodiscard]] double word_width(const Text& text) const;
   void add_text(Sheet& sheet, Text text, double align) const;
 
@@ -75,7 +89,6 @@ class MarginArtist {
 void draw_ruler(Sheet& sheet, glm::dvec2 zero, bool is_upright, double length_mm, const Font& font);
 
 /// A 50 mm square to check the scale by, if the page has room beside the net.
-void draw_test_square(Sheet& sheet, const NetLines& lines, const PageLayout& layout,
-                      const PageLayout::Page& page);
+void draw_test_square(Sheet& sheet, const NetLines& lines, const PageView& view);
 
 }  // namespace netwright

@@ -1,7 +1,6 @@
 // What stands around the net: title block with scale, proof and page number, the map of the tiles, and the
 // legend.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string>
 
@@ -23,6 +22,8 @@ constexpr double kPageSize = 3.3;
 constexpr double kSmallSize = 2.5;
 constexpr double kTitleBaseline = 4.3;
 constexpr double kSmallBaseline = 8.6;
+constexpr double kLegendSize = 2.4;
+constexpr double kLegendGap = 2;
 constexpr double kMapHeight = 9.4;
 constexpr double kMapWidth = 22;
 
@@ -81,17 +82,18 @@ void MarginArtist::add_text(Sheet& sheet, Text text, double align) const {
   sheet.texts.push_back(std::move(text));
 }
 
-void MarginArtist::draw(Sheet& sheet, const PageLayout::Page& page) const {
-  draw_header(sheet, page);
-  draw_footer(sheet);
+void MarginArtist::draw(Sheet& sheet, const PageView& view, const std::string& side) const {
+  draw_header(sheet, view);
+  draw_footer(sheet, side);
 }
 
-void MarginArtist::draw_header(Sheet& sheet, const PageLayout::Page& page) const {
+void MarginArtist::draw_header(Sheet& sheet, const PageView& view) const {
+  const PageLayout::Page& page = view.page;
   const Box2 box = layout_.frame.header;
   const double title_y = box.min.y + kTitleBaseline;
   const double small_y = box.min.y + kSmallBaseline;
   double right = box.max.x;
-  if (!page.tag.empty()) right = draw_map(sheet, page, right) - 4;
+  if (!page.tag.empty()) right = draw_map(sheet, view, right) - 4;
 
   Text number{Layer::Print, {right, title_y}, "", kPageSize, FontWeight::Regular, kInk};
   number.words = "page " + std::to_string(sheet.number) + " of " + std::to_string(sheet.count);
@@ -144,7 +146,8 @@ void MarginArtist::draw_proof(Sheet& sheet, double right, double baseline) const
 }
 
 /// The sheets of this canvas as little pages, this one dark. Returns the map's left side.
-double MarginArtist::draw_map(Sheet& sheet, const PageLayout::Page& page, double right) const {
+double MarginArtist::draw_map(Sheet& sheet, const PageView& view, double right) const {
+  const PageLayout::Page& page = view.page;
   const PageLayout::Canvas& canvas = layout_.canvases[static_cast<std::size_t>(page.canvas)];
   const glm::dvec2 paper(layout_.frame.width_mm, layout_.frame.height_mm);
   const double scale = std::min(kMapHeight / (canvas.rows * paper.y), kMapWidth / (canvas.columns * paper.x));
@@ -153,7 +156,8 @@ double MarginArtist::draw_map(Sheet& sheet, const PageLayout::Page& page, double
   const glm::dvec2 corner(right - canvas.columns * cell.x, layout_.frame.header.min.y);
   for (const PageLayout::Page& other : layout_.pages) {
     if (other.canvas != page.canvas) continue;
-    const glm::dvec2 low = corner + glm::dvec2(other.column, other.row) * cell;
+    const int column = view.is_mirrored ? canvas.columns - 1 - other.column : other.column;
+    const glm::dvec2 low = corner + glm::dvec2(column, other.row) * cell;
     const glm::dvec2 high = low + cell - seam;
     const bool is_here = other.column == page.column && other.row == page.row;
     sheet.fills.push_back(
@@ -162,13 +166,13 @@ double MarginArtist::draw_map(Sheet& sheet, const PageLayout::Page& page, double
   return corner.x;
 }
 
-void MarginArtist::draw_footer(Sheet& sheet) const {
+void MarginArtist::draw_footer(Sheet& sheet, const std::string& side) const {
   const PageFrame& frame = layout_.frame;
   const Box2 box = frame.footer;
   const double width = box.max.x - box.min.x;
   sheet.strokes.push_back(hairline(box.min, {box.max.x, box.min.y}));
   const bool is_one_row = box.max.y - box.min.y < kFooterHeight + 1 && frame.side.is_empty();
-  draw_legend(sheet, !is_one_row);
+  draw_legend(sheet, !is_one_row, side);
 
   const std::string note = "Print at 100 %, not “fit to page”: then this ruler is true.";
   const Text text{Layer::Print, {0, 0}, note, 2.3, FontWeight::Regular, kQuietInk};
@@ -190,33 +194,38 @@ void MarginArtist::draw_footer(Sheet& sheet) const {
   draw_ruler(sheet, {zero, top + 5.3}, false, kRulerLength, regular_);
 }
 
-/// Real samples of the three kinds of line: over their names where the ruler stands beside them, else before
-/// them.
-void MarginArtist::draw_legend(Sheet& sheet, bool is_stacked) const {
+/// Real samples of the kinds of line: over their names where the ruler stands beside them, else before them.
+void MarginArtist::draw_legend(Sheet& sheet, bool is_stacked, const std::string& side) const {
   struct Entry {
-    EdgeKind kind;
+    Layer layer;
     const char* name;
   };
-  constexpr std::array<Entry, 3> kEntries = {
-      {{EdgeKind::Cut, "cut"}, {EdgeKind::Mountain, "mountain fold"}, {EdgeKind::Valley, "valley fold"}}};
+  std::vector<Entry> entries = {
+      {Layer::Cut, "cut"}, {Layer::Mountain, "mountain fold"}, {Layer::Valley, "valley fold"}};
+  if (!layout_.tabs.tabs.empty()) entries.push_back({Layer::TabFold, "tab fold"});
+  const auto n = static_cast<double>(entries.size());
   const glm::dvec2 corner = layout_.frame.footer.min;
   const double width = layout_.frame.footer.size().x;
-  const double column = std::min(kLegendColumn, width / 3);
-  const double sample = is_stacked ? 8.1 : 18.3;
-  for (std::size_t i = 0; i < kEntries.size(); ++i) {
-    const glm::dvec2 from = corner + glm::dvec2(static_cast<double>(i) * column, is_stacked ? 4.0 : 6.9);
-    Stroke stroke = net_stroke(styles_, kEntries[i].kind, from, from + glm::dvec2(sample, 0));
+  double words = 0;
+  for (const Entry& entry : entries) words += regular_.width(entry.name, kLegendSize);
+  // Beside the ruler the words stand under samples of one length, elsewhere after shorter ones.
+  const double column = std::min(kLegendColumn, (is_stacked ? width : width - kRulerLength - 5) / n);
+  const double sample = is_stacked ? std::min(8.1, (width - words) / n - 3.5) : std::min(18.3, column - 4);
+  glm::dvec2 from = corner + glm::dvec2(0, is_stacked ? 4.0 : 6.9);
+  for (const Entry& entry : entries) {
+    Stroke stroke = net_stroke(styles_, entry.layer, from, from + glm::dvec2(sample, 0));
     stroke.layer = Layer::Print;
     sheet.strokes.push_back(std::move(stroke));
     const glm::dvec2 at = from + (is_stacked ? glm::dvec2(sample + 1.5, 0.85) : glm::dvec2(0, 3.6));
-    add_text(sheet, {Layer::Print, at, kEntries[i].name, 2.4, FontWeight::Regular, kInk}, kLeft);
+    const Text name{Layer::Print, at, entry.name, kLegendSize, FontWeight::Regular, kInk};
+    add_text(sheet, name, kLeft);
+    from.x += is_stacked ? sample + 1.5 + word_width(name) + kLegendGap : column;
   }
-  Text side{Layer::Print, corner + glm::dvec2(0, 3.9), "The printed side is the outside.",
-            2.3,          FontWeight::Regular,         kQuietInk};
-  if (!is_stacked) return add_text(sheet, side, kLeft);
-  if (word_width(side) > width - 3 * column - 4) return;
-  side.at = corner + glm::dvec2(width, 4.85);
-  add_text(sheet, side, kRight);
+  Text note{Layer::Print, corner + glm::dvec2(0, 3.9), side, 2.3, FontWeight::Regular, kQuietInk};
+  if (!is_stacked) return add_text(sheet, note, kLeft);
+  if (word_width(note) > corner.x + width - from.x - 2) return;
+  note.at = corner + glm::dvec2(width, 4.85);
+  add_text(sheet, note, kRight);
 }
 
 void draw_ruler(Sheet& sheet, glm::dvec2 zero, bool is_upright, double length_mm, const Font& font) {

@@ -14,10 +14,6 @@ namespace {
 
 using namespace print_style;
 
-Box2 window_on_canvas(const PageLayout& layout, const PageLayout::Page& page) {
-  return {page.origin, page.origin + layout.frame.net.size()};
-}
-
 /// The tile one step away, if it is printed; else null.
 const PageLayout::Page* neighbour(const PageLayout& layout, const PageLayout::Page& page, int right,
                                   int down) {
@@ -53,10 +49,18 @@ NetLines net_lines(const Net& net, const PageLayout& layout, const SheetSettings
   const Mesh& mesh = net.mesh();
   const auto point = [&](HalfedgeId h) { return layout.on_canvas(net.piece[mesh.face(h)], net.corner(h)); };
   const auto canvas = [&](int piece) { return layout.pieces[static_cast<std::size_t>(piece)].canvas; };
+  const IdVector<HalfedgeId, const GlueTab*> tabs = tabs_by_side(mesh, layout.tabs);
   NetLines lines;
   for (const OutlineLoop& loop : outline_loops(net)) {
     NetLines::Outline outline{canvas(loop.piece), {}};
-    for (const HalfedgeId h : loop.sides) outline.points.push_back(point(h));
+    for (const HalfedgeId h : loop.sides) {
+      outline.points.push_back(point(h));
+      if (tabs[h] == nullptr) continue;
+      // A tab lists the side's two ends first; its rim leads on from where the side begins.
+      for (std::size_t i = 2; i < tabs[h]->points.size(); ++i)
+        outline.points.push_back(layout.on_canvas_mm(loop.piece, tabs[h]->points[i]));
+      lines.folds.push_back({outline.canvas, point(h), point(mesh.next(h)), Layer::TabFold});
+    }
     lines.outlines.push_back(std::move(outline));
   }
   const IdVector<EdgeId, EdgeKind> kinds = drawn_kinds(net, settings);
@@ -64,56 +68,82 @@ NetLines net_lines(const Net& net, const PageLayout& layout, const SheetSettings
     if (net.tree.is_root(f)) continue;
     const HalfedgeId h = net.tree.to_parent(f);
     const EdgeKind kind = kinds[mesh.edge(h)];
-    if (kind == EdgeKind::Mountain || kind == EdgeKind::Valley)
-      lines.folds.push_back({canvas(net.piece[f]), point(h), point(mesh.next(h)), kind});
+    if (kind != EdgeKind::Mountain && kind != EdgeKind::Valley) continue;
+    lines.folds.push_back({canvas(net.piece[f]), point(h), point(mesh.next(h)),
+                           kind == EdgeKind::Mountain ? Layer::Mountain : Layer::Valley});
   }
   return lines;
 }
 
-Stroke net_stroke(const LineStyles& styles, EdgeKind kind, glm::dvec2 from, glm::dvec2 to) {
-  const auto line = [&](Layer layer, const PrintedLine& style) -> Stroke {
-    std::vector<double> dash = fit_dash(style.dash_mm, glm::length(to - from));
-    return {layer, {from, to}, false, style.width_mm, style.colour, std::move(dash), 0};
+Stroke net_stroke(const LineStyles& styles, Layer layer, glm::dvec2 from, glm::dvec2 to) {
+  const auto style = [&]() -> const PrintedLine& {
+    switch (layer) {
+      case Layer::Mountain:
+        return styles.mountain;
+      case Layer::Valley:
+        return styles.valley;
+      case Layer::TabFold:
+        return styles.tab_fold;
+      default:
+        return styles.cut;
+    }
   };
-  switch (kind) {
-    case EdgeKind::Mountain:
-      return line(Layer::Mountain, styles.mountain);
-    case EdgeKind::Valley:
-      return line(Layer::Valley, styles.valley);
-    default:
-      return line(Layer::Cut, styles.cut);
-  }
+  const PrintedLine& line = style();
+  return {
+      layer, {from, to}, false, line.width_mm, line.colour, fit_dash(line.dash_mm, glm::length(to - from)),
+      0};
 }
 
-void draw_net(Sheet& sheet, const NetLines& lines, const PageLayout& layout, const PageLayout::Page& page,
-              const LineStyles& styles) {
-  const Box2 window = window_on_canvas(layout, page);
+namespace {
+
+/// What is printed of a fold: all of it, or a mark at either end.
+std::vector<NetLines::Fold> inked_parts(const NetLines::Fold& fold, const LineStyles& styles) {
+  const double length = glm::length(fold.to - fold.from);
+  if (!styles.only_ends || length <= 2 * styles.end_mark_mm) return {fold};
+  const glm::dvec2 mark = (fold.to - fold.from) * (styles.end_mark_mm / length);
+  NetLines::Fold first = fold;
+  NetLines::Fold last = fold;
+  first.to = fold.from + mark;
+  // Seen from its end, so that both marks begin at the corner.
+  last.from = fold.to;
+  last.to = fold.to - mark;
+  return {first, last};
+}
+
+void draw_fold(Sheet& sheet, const NetLines::Fold& fold, const PageView& view, const LineStyles& styles) {
+  const auto part = clip_segment(view.window(), fold.from, fold.to);
+  if (!part) return;
+  Stroke stroke = net_stroke(styles, fold.layer, fold.from, fold.to);
+  const glm::dvec2 along = fold.to - fold.from;
+  stroke.points = {view.at(fold.from + along * part->first), view.at(fold.from + along * part->second)};
+  stroke.dash_phase_mm = part->first * glm::length(along);
+  sheet.strokes.push_back(std::move(stroke));
+}
+
+}  // namespace
+
+void draw_net(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles) {
   for (const NetLines::Fold& fold : lines.folds) {
-    if (fold.canvas != page.canvas) continue;
-    const auto part = clip_segment(window, fold.from, fold.to);
-    if (!part) continue;
-    Stroke stroke = net_stroke(styles, fold.kind, fold.from, fold.to);
-    const glm::dvec2 along = fold.to - fold.from;
-    stroke.points = {layout.on_page(page, fold.from + along * part->first),
-                     layout.on_page(page, fold.from + along * part->second)};
-    stroke.dash_phase_mm = part->first * glm::length(along);
-    sheet.strokes.push_back(std::move(stroke));
+    if (fold.canvas != view.page.canvas) continue;
+    for (const NetLines::Fold& part : inked_parts(fold, styles)) draw_fold(sheet, part, view, styles);
   }
   for (const NetLines::Outline& outline : lines.outlines) {
-    if (outline.canvas != page.canvas) continue;
-    ClippedLine clipped = clip_polyline(window, outline.points, true);
+    if (outline.canvas != view.page.canvas) continue;
+    ClippedLine clipped = clip_polyline(view.window(), outline.points, true);
     for (std::vector<glm::dvec2>& run : clipped.runs) {
-      for (glm::dvec2& p : run) p = layout.on_page(page, p);
+      for (glm::dvec2& p : run) p = view.at(p);
       sheet.strokes.push_back(
           {Layer::Cut, std::move(run), clipped.is_whole, styles.cut.width_mm, styles.cut.colour, {}, 0});
     }
   }
 }
 
-void draw_tile_marks(Sheet& sheet, const PageLayout& layout, const PageLayout::Page& page, const Font& font) {
+void draw_tile_marks(Sheet& sheet, const PageView& view, const Font& font) {
   constexpr double kArm = 3;
   constexpr double kNameSize = 2.6;
-  const Box2 frame = layout.frame.net;
+  const Box2 frame = view.frame;
+  const PageLayout& layout = view.layout;
+  const int right = view.is_mirrored ? -1 : 1;
   const double half = layout.overlap_mm / 2;
   for (const double x : {frame.min.x + half, frame.max.x - half})
     for (const double y : {frame.min.y + half, frame.max.y - half}) {
@@ -132,19 +162,19 @@ void draw_tile_marks(Sheet& sheet, const PageLayout& layout, const PageLayout::P
   };
   // Names stand beside the crosses, where the middle of an edge would more often meet the net.
   const double beside = layout.overlap_mm * 1.15;
-  if (const auto* const other = neighbour(layout, page, -1, 0)) {
+  if (const auto* const other = neighbour(layout, view.page, -right, 0)) {
     border(frame.min, {frame.min.x, frame.max.y});
     name(other->tag, {frame.min.x + half, frame.min.y + beside});
   }
-  if (const auto* const other = neighbour(layout, page, 1, 0)) {
+  if (const auto* const other = neighbour(layout, view.page, right, 0)) {
     border({frame.max.x, frame.min.y}, frame.max);
     name(other->tag, {frame.max.x - half, frame.min.y + beside});
   }
-  if (const auto* const other = neighbour(layout, page, 0, -1)) {
+  if (const auto* const other = neighbour(layout, view.page, 0, -1)) {
     border(frame.min, {frame.max.x, frame.min.y});
     name(other->tag, {frame.min.x + beside, frame.min.y + half});
   }
-  if (const auto* const other = neighbour(layout, page, 0, 1)) {
+  if (const auto* const other = neighbour(layout, view.page, 0, 1)) {
     border({frame.min.x, frame.max.y}, frame.max);
     name(other->tag, {frame.min.x + beside, frame.max.y - half});
   }

@@ -46,6 +46,12 @@ std::vector<OutlineLoop> outline_loops(const Net& net) {
   return loops;
 }
 
+IdVector<HalfedgeId, const GlueTab*> tabs_by_side(const Mesh& mesh, const GlueTabs& tabs) {
+  IdVector<HalfedgeId, const GlueTab*> by_side(mesh.n_halfedges(), nullptr);
+  for (const GlueTab& tab : tabs.tabs) by_side[tab.side] = &tab;
+  return by_side;
+}
+
 std::optional<std::pair<double, double>> clip_segment(const Box2& box, glm::dvec2 a, glm::dvec2 b) {
   double enter = 0;
   double leave = 1;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/unfold/glue_tabs.h"
 #include "core/unfold/net.h"
 
 namespace netwright {
@@ -18,6 +19,9 @@ struct OutlineLoop {
 
 /// All loops, ordered by piece.
 std::vector<OutlineLoop> outline_loops(const Net& net);
+
+/// For each side the tab that grows from it; null where there is none.
+IdVector<HalfedgeId, const GlueTab*> tabs_by_side(const Mesh& mesh, const GlueTabs& tabs);
 
 /// The part of a segment inside a box, as parameters 0…1 from a to b; nothing when it misses the box or only
 /// touches it in a point.

@@ -16,14 +16,13 @@ namespace {
 using namespace print_style;
 
 /// Outlines of a canvas as segments on the page.
-std::vector<Segment> outline_on_page(const NetLines& lines, const PageLayout& layout,
-                                     const PageLayout::Page& page) {
+std::vector<Segment> outline_on_page(const NetLines& lines, const PageView& view) {
   std::vector<Segment> segments;
   for (const NetLines::Outline& outline : lines.outlines) {
-    if (outline.canvas != page.canvas) continue;
+    if (outline.canvas != view.page.canvas) continue;
     for (std::size_t i = 0; i < outline.points.size(); ++i)
-      segments.emplace_back(layout.on_page(page, outline.points[i]),
-                            layout.on_page(page, outline.points[(i + 1) % outline.points.size()]));
+      segments.emplace_back(view.at(outline.points[i]),
+                            view.at(outline.points[(i + 1) % outline.points.size()]));
   }
   return segments;
 }
@@ -50,12 +49,11 @@ bool is_free(const Box2& box, const std::vector<Segment>& outline) {
 
 }  // namespace
 
-void draw_test_square(Sheet& sheet, const NetLines& lines, const PageLayout& layout,
-                      const PageLayout::Page& page) {
+void draw_test_square(Sheet& sheet, const NetLines& lines, const PageView& view) {
   constexpr double kDistance = 4;
-  const Box2 frame = layout.frame.net;
+  const Box2 frame = view.frame;
   if (frame.size().x < kSquare || frame.size().y < kSquare) return;
-  const std::vector<Segment> outline = outline_on_page(lines, layout, page);
+  const std::vector<Segment> outline = outline_on_page(lines, view);
   for (const glm::dvec2 low : square_corners(frame)) {
     const glm::dvec2 high = low + kSquare;
     if (!is_free({low - kDistance, high + kDistance}, outline)) continue;
@@ -89,10 +87,11 @@ std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const S
     sheet.count = static_cast<int>(layout.pages.size());
     sheet.tag = page.tag;
     const bool is_tile = layout.canvases[static_cast<std::size_t>(page.canvas)].is_tiled();
-    if (sheets.empty() && !is_tile) draw_test_square(sheet, lines, layout, page);
-    if (is_tile) draw_tile_marks(sheet, layout, page, margin.font());
-    draw_net(sheet, lines, layout, page, settings.lines);
-    margin.draw(sheet, page);
+    const PageView view{layout, page, false, layout.frame.net};
+    if (sheets.empty() && !is_tile) draw_test_square(sheet, lines, view);
+    if (is_tile) draw_tile_marks(sheet, view, margin.font());
+    draw_net(sheet, lines, view, settings.lines);
+    margin.draw(sheet, view, "The printed side is the outside.");
     sheets.push_back(std::move(sheet));
   }
   return sheets;
