@@ -171,6 +171,51 @@ TEST(Arrange, MeetsTheHeightExactly) {
   EXPECT_NEAR(layout.model_height_mm, 80, 1e-9);
 }
 
+TEST(Arrange, MeetsTheLengthOfAnEdgeAndAScale) {
+  const Net net = net_of(shapes::cuboid({2, 3, 5}));
+  for (const EdgeId e : net.mesh().edges()) {
+    PrintSize size{PrintSize::Kind::EdgeLength};
+    size.edge = e;
+    size.edge_mm = 34;
+    EXPECT_NEAR(arrange(net, {}, size).scale * net.mesh().length(e), 34, 1e-9);
+  }
+  PrintSize size{PrintSize::Kind::Scale};
+  size.scale = 7.5;
+  EXPECT_DOUBLE_EQ(arrange(net, {}, size).scale, 7.5);
+}
+
+TEST(Arrange, PrintsAsLargeAsFitsOnSomeSheetsAndNoFewerDo) {
+  const Net net = net_of(shapes::icosphere(2));
+  double scale = arrange(net, {}, {}).scale;
+  for (const int sheets : {2, 4, 9}) {
+    PrintSize size{PrintSize::Kind::FitSheets};
+    size.sheets = sheets;
+    const PageLayout layout = arrange(net, {}, size);
+    EXPECT_LE(layout.pages.size(), static_cast<std::size_t>(sheets));
+    EXPECT_GT(layout.scale, 1.05 * scale) << sheets << " sheets have room for more than fewer have";
+    scale = layout.scale;
+  }
+}
+
+TEST(Paper, IsKnownByNameOrByItsSides) {
+  for (const char series : {'A', 'B'})
+    for (int k = 0; k <= 6; ++k) {
+      const auto paper = find_paper(std::string(1, series) + std::to_string(k));
+      ASSERT_TRUE(paper) << series << k;
+      EXPECT_NEAR(paper->height_mm / paper->width_mm, std::sqrt(2.0), 0.01);
+    }
+  EXPECT_EQ(find_paper("legal")->name, "Legal");
+  const auto own = find_paper("300x99.5");
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->width_mm, 99.5);
+  EXPECT_EQ(own->height_mm, 300);
+  EXPECT_EQ(custom_paper(300, 99.5), "99.5x300");
+  for (const char* word :
+       {"x", "300x", "x300", "300", "10x300", "300x6000", "300xx300", "-300x300", "nanx300"})
+    EXPECT_FALSE(find_paper(word)) << word;
+  EXPECT_NEAR(page_frame({"300x200", Orientation::Landscape, 5}).width_mm, 300, 1e-9);
+}
+
 TEST(Arrange, TilesWhatIsLargerThanThePaper) {
   const Net net = net_of(shapes::icosphere(2));
   const PageLayout layout = arrange(net, {}, height(300));
@@ -237,6 +282,13 @@ TEST(Arrange, RefusesWhatCannotBePrintedInOneSentence) {
   EXPECT_NE(refusal(net, {"A4", Orientation::Auto, std::nan("")}, {}).find("margin"), std::string::npos);
   EXPECT_NE(refusal(net, {}, height(0)).find("above 0"), std::string::npos);
   EXPECT_NE(refusal(net, {}, height(1e9)).find("1000 pages"), std::string::npos);
+  EXPECT_NE(refusal(net, {}, {PrintSize::Kind::EdgeLength}).find("edge"), std::string::npos);
+  PrintSize size{PrintSize::Kind::Scale};
+  size.scale = -2;
+  EXPECT_NE(refusal(net, {}, size).find("scale of -2"), std::string::npos);
+  size = {PrintSize::Kind::FitSheets};
+  size.sheets = 0;
+  EXPECT_NE(refusal(net, {}, size).find("0 sheets"), std::string::npos);
   EXPECT_NE(refusal(net_of(shapes::grid_patch(3, 3)), {}, height(100)).find("up axis"), std::string::npos);
 }
 

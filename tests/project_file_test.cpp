@@ -164,6 +164,21 @@ TEST(ProjectFile, KnowsTheSideOfATabWhicheverFaceAnEdgeBeginsWith) {
   EXPECT_EQ(edit.second_angle_rad, std::nullopt);
 }
 
+TEST(ProjectFile, KeepsTheSizeInEveryWordForIt) {
+  Project project = project_of(shapes::letter_e());
+  project.paper.format = custom_paper(300, 200);
+  project.size.edge = EdgeId(5);
+  project.size.edge_mm = 31.5;
+  project.size.scale = 4.25;
+  project.size.sheets = 7;
+  for (const auto kind : {PrintSize::Kind::FitPage, PrintSize::Kind::Height, PrintSize::Kind::EdgeLength,
+                          PrintSize::Kind::Scale, PrintSize::Kind::FitSheets}) {
+    project.size.kind = kind;
+    EXPECT_EQ(reopened(project).size, project.size);
+  }
+  EXPECT_EQ(reopened(project).paper, project.paper);
+}
+
 TEST(ProjectFile, KnowsMergedFacesAndGroupsThatWereSplitAgain) {
   const Project merged = project_of(shapes::grid_cube(3), {.merges = true});
   expect_same(merged, reopened(merged));

@@ -18,8 +18,17 @@ struct PaperFormat {
 /// A4 first, then the other A and B sizes, Letter, Legal, Tabloid.
 std::span<const PaperFormat> paper_formats();
 
-/// Looks a format up by name, ignoring case.
+/// Looks a format up by name, ignoring case, or takes a paper of one's own by its size: "200x300", in mm;
+/// its name is then kCustomPaper. Nothing for unknown names and sides beyond the limits.
 std::optional<PaperFormat> find_paper(std::string_view name);
+
+inline constexpr std::string_view kCustomPaper = "custom";
+inline constexpr double kLeastPaperSide = 40;   ///< mm
+inline constexpr double kMostPaperSide = 5000;  ///< mm
+
+/// The word for a paper of one's own, as PaperSetup::format has it: the shorter side first, in tenths of a
+/// millimetre at most ("200x300", "99.5x210").
+std::string custom_paper(double width_mm, double height_mm);
 
 enum class Orientation { Auto, Portrait, Landscape };
 

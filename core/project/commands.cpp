@@ -14,15 +14,15 @@ namespace {
 
 /// Where the pieces lie at another size; automatic when they would not fit as they lie.
 HandLayout placed_at(const Project& project, const PrintSize& size) {
-  const bool is_known = size.kind == PrintSize::Kind::Height && size.height_mm > 0;
-  if (project.placed.is_automatic() || !is_known || !(project.dual->mesh().height() > 0)) return {};
+  if (project.placed.is_automatic()) return {};
   try {
+    const std::optional<double> scale = scale_of(project.dual->mesh(), size);
+    if (!scale) return {};
     const Net net = layout(project.dual, *project.tree);
     const std::optional<PageLayout> pages = lay_out(net, project.paper, project.placed);
-    if (!pages) return {};
-    return resize_pieces(net, project.paper, *pages, size.height_mm / project.dual->mesh().height());
+    return pages ? resize_pieces(net, project.paper, *pages, *scale) : HandLayout();
   } catch (const Error&) {
-    return {};  // paper without room: that is told where the pages are made
+    return {};  // a size that says nothing, or paper without room: that is told where the pages are made
   }
 }
 
@@ -66,6 +66,7 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
       project.tabs, project.sheet, before, made->dual->mesh(),
       [&](EdgeId e) { return nearest_edge(before, e, made->dual->mesh()); },
       [](const glm::dvec3& d) { return d; });
+  project.size = without_edge(before, project.size);
   // What became of the face is known; where it is nearest, only guessed.
   const std::vector<FaceId> heirs = faces_made_of(made->origins, root_source);
   if (!heirs.empty()) project.pins.root = heirs.front();

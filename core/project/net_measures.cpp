@@ -33,6 +33,8 @@ double fitting_scale(const Hull& hull, glm::dvec2 room) {
 
 double print_scale(const NetMeasures& measures, const PaperSetup& paper, const PrintSize& size) {
   if (size.kind == PrintSize::Kind::Height) return size.height_mm / measures.model_height;
+  if (size.kind == PrintSize::Kind::Scale) return size.scale;
+  if (size.kind != PrintSize::Kind::FitPage) return 0;
   double scale = 0;
   for (const PageFrame& frame : possible_frames(paper))
     scale = std::max(scale, fitting_scale(measures.hulls.front(), frame.net.size()));

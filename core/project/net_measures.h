@@ -23,8 +23,8 @@ struct NetMeasures {
 NetMeasures measure(const Net& net);
 
 /// What a net of one piece measures on paper, in mm, wider than high: its smallest rectangle at the scale it
-/// is printed at. Nothing where only the pages themselves tell (several pieces fitted to one page, a paper
-/// without room, a flat model).
+/// is printed at. Nothing where only the pages themselves tell (several pieces fitted to one page, a net
+/// fitted to several, a size by an edge, a paper without room, a flat model).
 std::optional<glm::dvec2> size_on_paper(const NetMeasures& measures, const PaperSetup& paper,
                                         const PrintSize& size);
 

@@ -180,6 +180,19 @@ Json runs_json(const std::vector<KeptRun>& runs, const Mesh& mesh) {
   return json;
 }
 
+/// What the size is not made of is left out, as long as it is what it is without a word.
+Json size_json(const PrintSize& size, const Mesh& mesh) {
+  const PrintSize usual;
+  Json json;
+  json.set("kind", word(kSizes, size.kind));
+  json.set("height_mm", size.height_mm);
+  if (size.edge.is_valid()) json.set("edge", edges_json({size.edge}, mesh));
+  if (size.edge_mm != usual.edge_mm) json.set("edge_mm", size.edge_mm);
+  if (size.scale != usual.scale) json.set("scale", size.scale);
+  if (size.sheets != usual.sheets) json.set("sheets", size.sheets);
+  return json;
+}
+
 Json placed_json(const HandLayout& placed) {
   Json canvases{Json::Array{}};
   for (const HandLayout::Canvas& canvas : placed.canvases) canvases.add(canvas.columns).add(canvas.rows);
@@ -232,10 +245,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   paper.set("orientation", word(kOrientation, project.paper.orientation));
   paper.set("margin_mm", project.paper.margin_mm);
   json.set("paper", std::move(paper));
-  Json size;
-  size.set("kind", word(kSizes, project.size.kind));
-  size.set("height_mm", project.size.height_mm);
-  json.set("size", std::move(size));
+  json.set("size", size_json(project.size, mesh));
   if (!project.placed.is_automatic()) json.set("placed", placed_json(project.placed));
   json.set("tabs", tabs_json(project.tabs, mesh));
   json.set("sheet",

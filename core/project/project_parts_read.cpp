@@ -55,7 +55,7 @@ class Reader {
     if (project.run && !project.tree) fields.refuse("run", "led to no tree");
     static_cast<void>(fields.object("run"));
     project.paper = read_paper(fields.object("paper"));
-    project.size = read_size(fields.object("size"));
+    project.size = read_size(fields.object("size"), project.dual->mesh());
     project.placed = read_placed(project, fields.object("placed"));
     project.tabs = read_tabs(fields.object("tabs"), file_, project.dual->mesh());
     project.sheet = read_sheet(fields.object("sheet"), file_, project.dual->mesh(), pictures_);
@@ -325,11 +325,18 @@ class Reader {
     return paper;
   }
 
-  PrintSize read_size(const Json* json) const {
+  PrintSize read_size(const Json* json, const Mesh& mesh) const {
     JsonFields fields(json, file_, "the size");
     PrintSize size;
     size.kind = static_cast<PrintSize::Kind>(fields.choice("kind", kSizes, 0));
     size.height_mm = fields.number("height_mm", 0, kMostMillimetres, size.height_mm);
+    const std::vector<EdgeId> edges = read_edges(fields, "edge", mesh);
+    if (!edges.empty()) size.edge = edges.front();
+    size.edge_mm = fields.number("edge_mm", 0, kMostMillimetres, size.edge_mm);
+    size.scale = fields.number("scale", 0, kMostNumber, size.scale);
+    size.sheets = static_cast<int>(fields.integer("sheets", 1, kMostFittedSheets, size.sheets));
+    if (size.kind == PrintSize::Kind::EdgeLength && !size.edge.is_valid())
+      fields.refuse("edge", "is missing");
     fields.finish();
     return size;
   }

@@ -18,8 +18,8 @@ PaperFormat checked_format(const PaperSetup& paper) {
   if (!format) {
     std::string known;
     for (const PaperFormat& f : paper_formats()) known += (known.empty() ? "" : ", ") + std::string(f.name);
-    throw Error(ErrorKind::Usage,
-                "There is no paper called \"" + paper.format + "\"; choose one of " + known + ".");
+    throw Error(ErrorKind::Usage, "There is no paper called \"" + paper.format + "\"; choose one of " +
+                                      known + ", or give its sides in mm, as in 200x300.");
   }
   return *format;
 }

@@ -31,17 +31,19 @@ struct Shapes {
   std::vector<Hull> hulls;
   std::vector<std::vector<Segment>> outlines;
   double model_height = 0;
+  double area = 0;
 };
 
 Shapes shapes_of(const Net& net) {
   const auto n = static_cast<std::size_t>(net.n_pieces);
-  Shapes shapes{std::vector<Hull>(n), std::vector<std::vector<Segment>>(n), net.mesh().height()};
+  Shapes shapes{std::vector<Hull>(n), std::vector<std::vector<Segment>>(n), net.mesh().height(), 0};
   for (const OutlineLoop& loop : outline_loops(net))
     for (std::size_t i = 0; i < loop.sides.size(); ++i) {
       const glm::dvec2 a = net.corner(loop.sides[i]);
       const glm::dvec2 b = net.corner(loop.sides[(i + 1) % loop.sides.size()]);
       shapes.outlines[static_cast<std::size_t>(loop.piece)].emplace_back(a, b);
       shapes.hulls[static_cast<std::size_t>(loop.piece)].push_back(a);
+      shapes.area += cross(a, b) / 2;
     }
   for (Hull& hull : shapes.hulls) hull = convex_hull(std::move(hull));
   return shapes;
@@ -240,15 +242,43 @@ PageLayout fit_page(const Shapes& shapes, const PageFrame& frame) {
   return *best;
 }
 
-double scale_for_height(const Net& net, double height_mm) {
-  const Mesh& mesh = net.mesh();
-  if (!(height_mm > 0) || !std::isfinite(height_mm))
-    throw Error(ErrorKind::Usage,
-                "A model cannot be " + short_number(height_mm) + " mm high; give a height above 0 mm.");
-  if (!(mesh.height() > 1e-9 * mesh.box().diagonal()))
-    throw Error(ErrorKind::Usage,
-                "The model is flat along its up axis, so it cannot be given a height; fit it to the page.");
-  return height_mm / mesh.height();
+/// The largest scale found that takes no more than so many pages. More pages can come with a smaller scale,
+/// too, so the search goes down from the scale at which the paper itself would be used up.
+std::optional<PageLayout> fit_sheets(const Shapes& shapes, const PageFrame& frame, int sheets) {
+  const double one_page = fit_page(shapes, frame).scale;
+  const glm::dvec2 room = frame.net.size();
+  const double most = std::max(one_page, std::sqrt(sheets * room.x * room.y / shapes.area));
+  std::optional<PageLayout> best;
+  const auto try_scale = [&](double scale) {
+    std::optional<PageLayout> layout = arrange_at(shapes, frame, scale);
+    const bool is_good = layout && layout->pages.size() <= static_cast<std::size_t>(sheets);
+    if (is_good && (!best || layout->scale > best->scale)) best = std::move(layout);
+    return is_good;
+  };
+  constexpr double kStep = 0.95;
+  double scale = most;
+  while (!try_scale(scale)) {
+    if (scale <= one_page) return std::nullopt;
+    scale = std::max(scale * kStep, one_page);
+  }
+  double low = scale;
+  double high = std::min(scale / kStep, most);
+  for (int i = 0; i < 6; ++i) {
+    const double middle = (low + high) / 2;
+    (try_scale(middle) ? low : high) = middle;
+  }
+  return best;
+}
+
+/// For a size that depends on the paper: the orientation that prints larger.
+PageLayout fit(const Shapes& shapes, const std::vector<PageFrame>& frames, int sheets) {
+  std::optional<PageLayout> best;
+  for (const PageFrame& frame : frames) {
+    std::optional<PageLayout> layout =
+        sheets == 1 ? fit_page(shapes, frame) : fit_sheets(shapes, frame, sheets);
+    if (layout && (!best || layout->scale > best->scale * 1.001)) best = std::move(layout);
+  }
+  return best ? *best : fit(shapes, frames, 1);
 }
 
 }  // namespace
@@ -256,25 +286,18 @@ double scale_for_height(const Net& net, double height_mm) {
 PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size,
                    const TabSettings& /*tabs*/) {
   const std::vector<PageFrame> frames = possible_frames(paper);
+  const std::optional<double> scale = scale_of(net.mesh(), size);
   const Shapes shapes = shapes_of(net);
+  if (!scale) return fit(shapes, frames, size.kind == PrintSize::Kind::FitSheets ? size.sheets : 1);
   std::optional<PageLayout> best;
-  if (size.kind == PrintSize::Kind::FitPage) {
-    for (const PageFrame& frame : frames) {
-      PageLayout layout = fit_page(shapes, frame);
-      if (!best || layout.scale > best->scale * 1.001) best = std::move(layout);
-    }
-    return *best;
-  }
-  const double scale = scale_for_height(net, size.height_mm);
   for (const PageFrame& frame : frames) {
-    std::optional<PageLayout> layout = arrange_at(shapes, frame, scale);
+    std::optional<PageLayout> layout = arrange_at(shapes, frame, *scale);
     if (layout && (!best || layout->pages.size() < best->pages.size())) best = std::move(layout);
   }
   if (!best)
-    throw Error(ErrorKind::Usage, "A model " + short_number(size.height_mm) +
-                                      " mm high would take more than " + std::to_string(kMostPages) +
-                                      " pages of " + paper.format +
-                                      "; choose a smaller height or larger paper.");
+    throw Error(ErrorKind::Usage, "A model with " + size_words(size) + " would take more than " +
+                                      std::to_string(kMostPages) + " pages of " + paper.format +
+                                      "; print it smaller or on larger paper.");
   return *best;
 }
 

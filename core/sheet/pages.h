@@ -8,18 +8,11 @@
 
 #include "core/base/geometry.h"
 #include "core/sheet/page_frame.h"
+#include "core/sheet/print_size.h"
 #include "core/unfold/glue_tabs.h"
 #include "core/unfold/net.h"
 
 namespace netwright {
-
-/// How large the model is printed.
-struct PrintSize {
-  enum class Kind { FitPage, Height };
-  Kind kind = Kind::FitPage;
-  double height_mm = 150;  ///< height of the finished model, for Kind::Height
-  bool operator==(const PrintSize&) const = default;
-};
 
 struct PageLayout {
   /// A flat area that pieces lie on, cut into columns x rows of overlapping tiles (1 x 1: it is one page).
@@ -68,10 +61,10 @@ struct PageLayout {
   }
 };
 
-/// FitPage: everything on one page, turned to the angle that prints largest. Height: true to the height;
-/// several pages where one is too small, pieces larger than a page tiled. Pieces keep 3 mm of distance and
-/// one scale. Throws Error(Usage): unknown paper, margins that leave no room, a model without height, over
-/// 1000 pages.
+/// FitPage: everything on one page, turned to the angle that prints largest. FitSheets: as large as a search
+/// finds that takes no more than so many pages. Else true to the size that was given: several pages where one
+/// is too small, pieces larger than a page tiled. Pieces keep 3 mm of distance and one scale. Throws
+/// Error(Usage): unknown paper, margins that leave no room, what scale_of() refuses, over 1000 pages.
 PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size,
                    const TabSettings& tabs = no_tabs());
 
