@@ -38,9 +38,10 @@ void expect_on_paper(const Sheet& sheet, const Box2& printable) {
   for (const Fill& fill : sheet.fills)
     for (const glm::dvec2 p : fill.points) add(p, 0);
   for (const Text& text : sheet.texts)
-    for (const Font::Step& step : (text.weight == FontWeight::Regular ? regular : semi_bold)
-                                      .outline(text.words, text.size_mm, text.at))
-      if (step.kind != 'Z') add(step.points[step.kind == 'C' ? 2 : 0], 0);
+    for (const Font::Step& step :
+         (text.weight == FontWeight::Regular ? regular : semi_bold).outline(text.words, text.size_mm, {0, 0}))
+      if (step.kind != 'Z')
+        add(text.at + Rigid2::rotation(text.angle_rad).rotate(step.points[step.kind == 'C' ? 2 : 0]), 0);
   EXPECT_GE(used.min.x, printable.min.x - 0.05);
   EXPECT_GE(used.min.y, printable.min.y - 0.05);
   EXPECT_LE(used.max.x, printable.max.x + 0.05);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/sheet/font.h"
+#include "core/sheet/labels.h"
 #include "core/sheet/sheet.h"
 #include "core/sheet/tiles.h"
 
@@ -27,6 +28,9 @@ struct NetLines {
 };
 NetLines net_lines(const Net& net, const PageLayout& layout, const SheetSettings& settings);
 
+/// What each edge is on paper: flat folds and those hidden by hand are Flat, those shown by hand are not.
+IdVector<EdgeId, EdgeKind> drawn_kinds(const Net& net, const SheetSettings& settings);
+
 /// One side of a page: where it shows its window of the canvas, mirrored left to right or not.
 struct PageView {
   const PageLayout& layout;
@@ -44,6 +48,9 @@ struct PageView {
 /// What of the net lies on a page, clipped to its frame: folds first, outlines over them.
 void draw_net(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles);
 
+/// The labels that lie wholly on the page.
+void draw_labels(Sheet& sheet, const PlacedLabels& placed, const PageView& view);
+
 /// A stroke in the style of its layer (the net's own, not Print), dashes fitted to its length.
 Stroke net_stroke(const LineStyles& styles, Layer layer, glm::dvec2 from, glm::dvec2 to);
 
@@ -58,7 +65,8 @@ struct TitleWords {
   std::string proof;
   bool is_proved = false;
 };
-TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info);
+TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info,
+                       std::size_t n_unnumbered = 0);
 
 /// Title block, legend and ruler.
 class MarginArtist {

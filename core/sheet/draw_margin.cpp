@@ -54,7 +54,8 @@ std::string fitted(const Font& font, const std::string& words, double size_mm, d
 
 }  // namespace
 
-TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info) {
+TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info,
+                       std::size_t n_unnumbered) {
   const Mesh& mesh = net.mesh();
   TitleWords words;
   // A model is named by its file; what kind of file it was matters to nobody who cuts it out.
@@ -66,6 +67,7 @@ TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo
     words.scale += ", model " + short_number(layout.model_height_mm) + " mm high";
   words.figures = words.scale + "  ·  " + counted(mesh.n_faces(), "face");
   if (info.seed) words.figures += "  ·  seed " + std::to_string(*info.seed);
+  if (n_unnumbered > 0) words.figures += "  ·  " + counted(n_unnumbered, "short cut") + " unnumbered";
   const std::string pieces =
       net.n_pieces == 1 ? "one piece" : counted(static_cast<std::size_t>(net.n_pieces), "piece");
   words.is_proved = info.is_proved;

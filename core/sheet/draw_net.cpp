@@ -27,6 +27,8 @@ Stroke mark(glm::dvec2 from, glm::dvec2 to) {
   return {Layer::Regmarks, {from, to}, false, kHairlineWidth, kQuietInk, {}, 0};
 }
 
+}  // namespace
+
 IdVector<EdgeId, EdgeKind> drawn_kinds(const Net& net, const SheetSettings& settings) {
   IdVector<EdgeId, EdgeKind> kinds = edge_kinds(net);
   for (const EdgeId e : net.mesh().edges()) {
@@ -42,8 +44,6 @@ IdVector<EdgeId, EdgeKind> drawn_kinds(const Net& net, const SheetSettings& sett
   }
   return kinds;
 }
-
-}  // namespace
 
 NetLines net_lines(const Net& net, const PageLayout& layout, const SheetSettings& settings) {
   const Mesh& mesh = net.mesh();

@@ -77,7 +77,8 @@ void draw_test_square(Sheet& sheet, const NetLines& lines, const PageView& view)
 std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info,
                                const SheetSettings& settings) {
   const NetLines lines = net_lines(net, layout, settings);
-  const MarginArtist margin(layout, title_words(net, layout, info), settings.lines);
+  const PlacedLabels labels = place_labels(net, layout, settings);
+  const MarginArtist margin(layout, title_words(net, layout, info, labels.left_out.size()), settings.lines);
   std::vector<Sheet> sheets;
   for (const PageLayout::Page& page : layout.pages) {
     Sheet sheet;
@@ -91,6 +92,7 @@ std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const S
     if (sheets.empty() && !is_tile) draw_test_square(sheet, lines, view);
     if (is_tile) draw_tile_marks(sheet, view, margin.font());
     draw_net(sheet, lines, view, settings.lines);
+    draw_labels(sheet, labels, view);
     margin.draw(sheet, view, "The printed side is the outside.");
     sheets.push_back(std::move(sheet));
   }

@@ -104,8 +104,12 @@ class Painter {
       cairo_set_font_face(cr_, text.weight == FontWeight::Regular ? regular_.get() : semi_bold_.get());
       cairo_set_font_size(cr_, text.size_mm);
       set_colour(text.colour);
-      cairo_move_to(cr_, text.at.x, text.at.y);
+      cairo_save(cr_);
+      cairo_translate(cr_, text.at.x, text.at.y);
+      cairo_rotate(cr_, text.angle_rad);
+      cairo_move_to(cr_, 0, 0);
       cairo_show_text(cr_, clean_utf8(text.words).c_str());
+      cairo_restore(cr_);
     }
   }
 
