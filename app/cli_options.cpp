@@ -160,6 +160,7 @@ class Reader {
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
     note_given();
     take_pins();
+    take_cutter();
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     // "a4" is understood; what is printed calls it by its own name.
     if (const auto paper = find_paper(unfold_.paper.format)) unfold_.paper.format = paper->name;
@@ -237,7 +238,39 @@ class Reader {
                   ->check(within(1e-3, 1e6, "a number of millimetres above 0"));
     app.add_flag("--fit-page", is_fit_page_, "Print as large as one page allows (this is the default)")
         ->excludes(height_);
+    add_exports(app);
     app.add_flag("--json", unfold_.is_json, "Print the result as one JSON object");
+  }
+
+  void add_exports(CLI::App& app) {
+    app.add_flag("--one-file", unfold_.exports.is_one_file,
+                 "SVG, DXF: all sheets side by side in one file instead of one file per sheet");
+    app.add_flag("--real-dashes", unfold_.exports.real_dashes,
+                 "SVG, DXF: every dash a line of its own, for machines that ignore dash patterns");
+    app.add_flag("--live-text", unfold_.exports.live_text,
+                 "SVG, DXF: words stay text that can be edited, instead of outlines");
+    app.add_option("--dpi", unfold_.exports.png_dpi, "PNG: pixels per inch")
+        ->type_name("N")
+        ->check(within(kLeastDpi, kMostDpi, "a whole number from 72 to 600"))
+        ->capture_default_str();
+    app.add_option(
+           "--cutter", cutter_,
+           "Write all that a cutting machine needs into OUT, then a folder: a PDF to print, SVG and DXF "
+           "to cut, with the same registration marks")
+        ->type_name("silhouette|cricut|laser")
+        ->check(CLI::Validator(
+            [](std::string& word) {
+              return word == "silhouette" || word == "cricut" || word == "laser"
+                         ? std::string()
+                         : "it must be silhouette, cricut or laser";
+            },
+            ""));
+  }
+
+  void take_cutter() {
+    if (cutter_ == "silhouette") unfold_.cutter = CutterPreset::Silhouette;
+    if (cutter_ == "cricut") unfold_.cutter = CutterPreset::Cricut;
+    if (cutter_ == "laser") unfold_.cutter = CutterPreset::Laser;
   }
 
   void add_replace() {
@@ -414,6 +447,7 @@ class Reader {
   CLI::Option* height_ = nullptr;
   bool is_fit_page_ = false;
   std::string up_;
+  std::string cutter_;
   bool is_repair_ = false;
   int hole_edges_ = 0;
   std::vector<std::string> leave_out_;

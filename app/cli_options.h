@@ -12,6 +12,7 @@
 
 #include "core/base/paper.h"
 #include "core/project/recipe.h"
+#include "core/sheet/cutter_package.h"
 #include "core/sheet/pages.h"
 #include "core/solve/solve.h"
 
@@ -42,6 +43,8 @@ struct UnfoldCommand {
   std::vector<std::vector<int>> together;      ///< patches as numbers of faces, counted from 1
   PaperSetup paper;
   PrintSize size;
+  ExportSettings exports;
+  std::optional<CutterPreset> cutter;  ///< outputs without an extension are folders for its package
   bool is_json = false;
 
   /// Which of these were named; the others are a project's to decide where one is unfolded.

@@ -34,25 +34,40 @@ std::string known_formats() {
   return text + " ." + std::string(kProjectExtension);
 }
 
-/// What can be known to fail is refused before any time is spent on the search.
-void check_output(const fs::path& path) {
-  if (!is_export_format(path) && !has_project_name(path)) {
-    throw Error(ErrorKind::Usage, "Cannot tell how to write " + path.string() +
-                                      ": give it one of the extensions " + known_formats() + ".");
-  }
+/// A folder that gets all that a cutter needs.
+bool is_package(const fs::path& path, const UnfoldCommand& command) {
+  return command.cutter && !path.has_extension();
+}
+
+/// The folder that a path is to be made in must be there and ours to write to.
+void check_folder(const fs::path& path) {
   std::error_code ignored;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored)) {
     throw Error(ErrorKind::Write, "Cannot write " + path.string() + ": the folder " + folder.string() +
                                       " does not exist, so make it first.");
   }
-  if (fs::is_directory(path, ignored)) {
-    throw Error(ErrorKind::Write,
-                "Cannot write " + path.string() + ": it is a folder, so choose another name.");
-  }
   if (access(folder.c_str(), W_OK) != 0) {
     throw Error(ErrorKind::Write, "Cannot write " + path.string() + ": the folder " + folder.string() +
                                       " may not be written to, so choose another one.");
+  }
+}
+
+/// What can be known to fail is refused before any time is spent on the search.
+void check_output(const fs::path& path, const UnfoldCommand& command) {
+  if (is_package(path, command)) {
+    check_folder(path.has_filename() ? path : path.parent_path());
+    return;
+  }
+  if (!is_export_format(path) && !has_project_name(path)) {
+    throw Error(ErrorKind::Usage, "Cannot tell how to write " + path.string() +
+                                      ": give it one of the extensions " + known_formats() + ".");
+  }
+  check_folder(path);
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    throw Error(ErrorKind::Write,
+                "Cannot write " + path.string() + ": it is a folder, so choose another name.");
   }
 }
 
@@ -82,7 +97,15 @@ std::vector<fs::path> write_one(const fs::path& output, const UnfoldCommand& com
     return {output};
   }
   const SheetInfo info{"", true, static_cast<std::uint64_t>(command.seed)};
-  return write_drawing(output, outcome.result.net, layout, info);
+  const Net& net = outcome.result.net;
+  if (is_package(output, command)) {
+    const PageLayout clear = arrange(net, cutter_paper(command.paper, *command.cutter), command.size);
+    const CutterPackage package =
+        write_cutter_package(output, net, clear, info, {}, command.exports, *command.cutter);
+    for (const std::string& note : package.notes) complain("note: " + note);
+    return package.files;
+  }
+  return write_drawing(output, net, layout, info, {}, command.exports);
 }
 
 /// All files or none: when one cannot be written, those that this run added before it go again.
@@ -116,7 +139,7 @@ void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, co
 }  // namespace
 
 void check_outputs(const UnfoldCommand& command) {
-  for (const fs::path& output : command.outputs) check_output(output);
+  for (const fs::path& output : command.outputs) check_output(output, command);
 }
 
 int search_and_write(const UnfoldCommand& command, const CliModel& model, const Interrupts& interrupts,

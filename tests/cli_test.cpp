@@ -23,6 +23,25 @@ TEST_F(CommandLine, UnfoldsACubeIntoEveryFormat) {
   EXPECT_NE(ended.out.find("net.svg"), std::string::npos) << ended.out;
 }
 
+TEST_F(CommandLine, WritesAFolderForACuttingMachine) {
+  const std::string cube = write("cube.obj", shapes::cube());
+  const Ended ended = run({"unfold", cube, "--cutter", "laser", "-o", at("laser/"), "-o", at("net.pdf")});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  for (const char* const name : {"laser/cube-print.pdf", "laser/cube-cut.svg", "laser/cube-cut.dxf"})
+    EXPECT_FALSE(content(at(name)).empty()) << name;
+  EXPECT_EQ(run({"unfold", cube, "--cutter", "scissors", "-o", at("out")}).status, 1);
+  EXPECT_EQ(run({"unfold", cube, "-o", at("out")}).status, 1) << "no extension and no cutter";
+}
+
+TEST_F(CommandLine, WritesMachineFilesAsAskedFor) {
+  const std::string cube = write("cube.obj", shapes::cube());
+  const Ended ended = run({"unfold", cube, "--height", "300", "--one-file", "--real-dashes", "-o",
+                           at("net.svg"), "-o", at("net.dxf")});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(files(), (Strings{"cube.obj", "net.dxf", "net.svg"}));
+  EXPECT_EQ(content(at("net.svg")).find("stroke-dasharray"), std::string::npos);
+}
+
 TEST_F(CommandLine, ReportsWithoutWritingWhenNoOutputIsNamed) {
   const Ended ended = run({"unfold", write("cube.obj", shapes::cube())});
   EXPECT_EQ(ended.status, 0);

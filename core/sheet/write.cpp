@@ -29,15 +29,6 @@ std::string lower_extension(const path& file) {
   return extension;
 }
 
-/// name.png, or name_3.png for the third of several.
-path page_path(const path& file, std::size_t index, std::size_t count) {
-  if (count == 1) return file;
-  path numbered = file;
-  numbered.replace_filename(file.stem().string() + "_" + std::to_string(index + 1) +
-                            file.extension().string());
-  return numbered;
-}
-
 /// One file per sheet, or one for all; `to_bytes` takes a span of sheets.
 template <class ToBytes>
 std::vector<path> write_pages(const path& file, std::span<const Sheet> sheets, bool is_one_file,
@@ -52,6 +43,14 @@ std::vector<path> write_pages(const path& file, std::span<const Sheet> sheets, b
 }
 
 }  // namespace
+
+path page_path(const path& file, std::size_t index, std::size_t count) {
+  if (count == 1) return file;
+  path numbered = file;
+  numbered.replace_filename(file.stem().string() + "_" + std::to_string(index + 1) +
+                            file.extension().string());
+  return numbered;
+}
 
 std::span<const ExportFormat> export_formats() { return kFormats; }
 

@@ -23,6 +23,9 @@ std::span<const ExportFormat> export_formats();
 /// True when the path's extension (case ignored) is in the table.
 bool is_export_format(const std::filesystem::path& path);
 
+/// name.png, or name_3.png for index 2 of several.
+std::filesystem::path page_path(const std::filesystem::path& file, std::size_t index, std::size_t count);
+
 /// Draws the net and writes it; returns the files made. PDF and FOLD are one file; PNG, SVG and DXF are one
 /// per page: name.png, or name_1.png, name_2.png … when there are several; SVG and DXF on request one for
 /// all. Throws Error(Usage) for an unknown extension, naming the known ones, and Error(Write) when a file
