@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/sheet/fold_file.h"
+#include "core/sheet/net_obj.h"
 
 namespace netwright {
 
@@ -15,11 +16,12 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr std::array<ExportFormat, 5> kFormats = {
+constexpr std::array<ExportFormat, 6> kFormats = {
     {{".pdf", "PDF, true to scale, all pages"},
      {".svg", "SVG with layers for cutting machines, one file per page"},
      {".dxf", "DXF for cutting machines, one unit is 1 mm"},
      {".png", "PNG, true to scale, one file per page"},
+     {".obj", "OBJ with the net as texture coordinates, for painting"},
      {".fold", "FOLD 1.2, the net as data that can be verified"}}};
 
 std::string lower_extension(const path& file) {
@@ -78,6 +80,7 @@ std::vector<path> write_drawing(const path& file, const Net& net, const PageLayo
     write_fold(file, flat);
     return {file};
   }
+  if (extension == ".obj") return write_net_obj(file, net, layout, settings, exports);
   const std::vector<Sheet> sheets = draw_sheets(net, layout, info, settings);
   using Sheets = std::span<const Sheet>;
   if (extension == ".svg")
