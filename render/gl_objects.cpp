@@ -120,6 +120,16 @@ void Texture::upload(const Image& given) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
 }
 
+void Texture::upload_grey(std::span<const std::uint8_t> values, int width) {
+  glBindTexture(GL_TEXTURE_2D, name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const auto rows = static_cast<GLsizei>(values.size() / static_cast<std::size_t>(width));
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, rows, 0, GL_RED, GL_UNSIGNED_BYTE, values.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
 void Texture::upload_table(std::span<const std::uint8_t> values) {
   const auto width = static_cast<std::size_t>(kTableWidth);
   const std::size_t rows = std::max<std::size_t>(1, (values.size() + width - 1) / width);

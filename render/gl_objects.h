@@ -75,6 +75,8 @@ class Texture : public GlObject {
   /// Smoothly filtered and repeating; the picture's first row becomes v = 1, as model files have it.
   /// A picture larger than the card takes is halved until it fits.
   void upload(const Image& given);
+  /// One number 0…1 per pixel, in rows of this width, smoothly filtered.
+  void upload_grey(std::span<const std::uint8_t> values, int width);
   /// One byte per entry, in rows of kTableWidth, read by the shader as unsigned integers.
   void upload_table(std::span<const std::uint8_t> values);
   static constexpr int kTableWidth = 1024;

@@ -189,22 +189,24 @@ void NetRenderer::upload_states(const FaceStates& states) {
 void NetRenderer::draw(const PanZoomCamera& camera, const Palette& palette, const FaceStates& states,
                        const NetLook& look) {
   upload_states(states);
-  draw_sheets(camera, palette, look);
+  if (look.draws_sheets) draw_sheets(camera, palette, look);
   draw_faces(camera, palette, look);
   draw_lines(camera, palette, look);
 }
 
 void NetRenderer::draw_sheets(const PanZoomCamera& camera, const Palette& palette,
                               const NetLook& look) const {
-  for (const Box2& sheet : sheets_) clear_box(camera, sheet, palette.sheet);
+  for (const Box2& sheet : sheets_) clear_box(camera, sheet, look.is_printed ? palette.paper : palette.sheet);
+  Colour margin = palette.sheet_margin;
+  if (look.is_printed) margin.a = 0;  // what lies outside cannot be printed, and nothing does
   const std::array<LineStyle, 2> styles{LineStyle{palette.sheet_border, 1, {}, false},
-                                        LineStyle{palette.sheet_margin, 1, {2, 3, 0, 0}, false}};
+                                        LineStyle{margin, 1, {2, 3, 0, 0}, false}};
   lines_.draw(sheet_lines_, styles, look_through(camera, look.scale));
 }
 
 void NetRenderer::draw_faces(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const {
   if (n_face_vertices_ == 0) return;
-  if (palette.cut_halo.a > 0) {
+  if (palette.cut_halo.a > 0 && !look.is_printed) {
     std::array<LineStyle, 5> halo;
     halo[kCutLine] = halo[kBorderLine] = {palette.cut_halo, 3.6F, {}, false};
     lines_.draw(cuts_, halo, look_through(camera, look.scale));
@@ -222,10 +224,16 @@ void NetRenderer::draw_faces(const PanZoomCamera& camera, const Palette& palette
   shader_.set("hatch_origin", glm::vec2(origin.x, camera.size_px().y - origin.y));
   shader_.set("hatch_scale", 1 / look.scale);
   shader_.set("states", 0);
+  shader_.set("is_glass", look.is_printed ? 1 : 0);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, state_table_.name());
   glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
+  if (look.is_printed) {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  } else {
+    glDisable(GL_BLEND);
+  }
   glDisable(GL_CULL_FACE);
   glBindVertexArray(face_array_.name());
   glDrawArrays(GL_TRIANGLES, 0, n_face_vertices_);
@@ -240,8 +248,8 @@ void NetRenderer::draw_lines(const PanZoomCamera& camera, const Palette& palette
   styles[kValleyLine] = {palette.valley, 1.1F * thin, {4, 3, 0, 0}, false};
   styles[kFlatLine] = {palette.flat, 1, {}, false};
   styles[kBorderLine] = {palette.border, 1.3F * thin, {}, false};
-  if (look.shows_folds) lines_.draw(folds_, styles, view);
-  if (look.shows_cuts) lines_.draw(cuts_, styles, view);
+  if (look.shows_folds && !look.is_printed) lines_.draw(folds_, styles, view);
+  if (look.shows_cuts && !look.is_printed) lines_.draw(cuts_, styles, view);
   const std::array<LineStyle, 1> selected{LineStyle{palette.selection, 3, {}, false}};
   lines_.draw(outlines_, selected, view);
 }

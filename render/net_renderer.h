@@ -24,7 +24,9 @@ struct SheetOutline {
 struct NetLook {
   bool shows_folds = true;
   bool shows_cuts = true;
-  float scale = 1;  ///< pixels per design pixel
+  bool draws_sheets = true;  ///< else draw_sheets() did
+  bool is_printed = false;   ///< the sheets show all that: only what is said of faces, over them, like glass
+  float scale = 1;           ///< pixels per design pixel
 };
 
 class NetRenderer {
@@ -37,6 +39,8 @@ class NetRenderer {
   void clear();
   /// Sheets to draw under the net; none by default.
   void set_sheets(std::span<const SheetOutline> sheets);
+  /// Sheets and what is on them besides faces and lines: for what is drawn between them and draw().
+  void draw_sheets(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const;
   /// Draws over the desk into the framebuffer in use. `states`: one per face, or none.
   void draw(const PanZoomCamera& camera, const Palette& palette, const FaceStates& states,
             const NetLook& look);
@@ -47,7 +51,6 @@ class NetRenderer {
   void upload_folds(const Net& net, const IdVector<EdgeId, EdgeKind>& kinds, std::uint64_t version);
   void upload_outlines();
   void upload_states(const FaceStates& states);
-  void draw_sheets(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const;
   void draw_faces(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const;
   void draw_lines(const PanZoomCamera& camera, const Palette& palette, const NetLook& look) const;
 

@@ -6,6 +6,7 @@
 #include "render/mesh_renderer.h"
 #include "render/net_renderer.h"
 #include "render/overlay_renderer.h"
+#include "render/sheet_renderer.h"
 #include "render/tree_renderer.h"
 #include "render/viewport.h"
 
@@ -16,6 +17,7 @@ struct Renderers {
   LineRenderer lines;
   MeshRenderer mesh{lines};
   NetRenderer net{lines};
+  SheetRenderer sheets{lines};
   TreeRenderer tree{lines};
   OverlayRenderer overlay{lines};
   Viewport model_picture;

@@ -13,6 +13,7 @@ uniform usampler2D states;
 
 flat out vec3 tone;
 flat out float hatched;
+flat out float marked;  // 0 where nothing is said of the face
 
 void main() {
   uint state = texelFetch(states, ivec2(int(face) % 1024, int(face) / 1024), 0).r;
@@ -25,6 +26,7 @@ void main() {
   // Blue over a strong fill turns it brown; there the hover lightens.
   if ((state & 1u) != 0u) colour = mix(colour, (state & 22u) != 0u ? vec3(1.0) : hover.rgb, hover.a);
   tone = colour;
+  marked = (state & 55u) != 0u ? 1.0 : 0.0;
   hatched = (state & 4u) != 0u ? 1.0 : 0.0;
   gl_Position = clip_from_world * vec4(position, 0.0, 1.0);
 }

@@ -427,6 +427,8 @@ const auto kActions = std::to_array<Action>({
      toggle<&Settings::show_root>, is_set<&Settings::show_root>, nullptr},
     {ActionId::TogglePages, "Pages", icon::kLayers, {'P', 0}, "Lays the finished net on its paper", always,
      toggle<&Settings::show_pages>, is_set<&Settings::show_pages>, nullptr},
+    {ActionId::ToggleTabs, "Glue tabs", icon::kGlue, {'B', 0}, "Shows the net with its glue tabs; on pages, as it will be printed",
+     always, toggle<&Settings::show_tabs>, is_set<&Settings::show_tabs>, nullptr},
     {ActionId::ToggleXray, "X-ray", icon::kModel, {'X', 0}, "Looks through the model: what is hidden shows faintly",
      needs_model, toggle<&Settings::is_xray>, is_set<&Settings::is_xray>, nullptr},
     {ActionId::ToggleNumbers, "Numbers", icon::kNumbers, {'L', 0}, "Numbers faces and edges of the net, as far as there is room",

@@ -74,6 +74,7 @@ enum class ActionId {
   ToggleOverlaps,
   ToggleRoot,
   TogglePages,
+  ToggleTabs,
   ToggleXray,
   ToggleNumbers,
   ToggleSide,

@@ -108,7 +108,7 @@ void view_menu(UiContext& context) {
   ImGui::Separator();
   for (const ActionId id :
        {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
-        ActionId::TogglePages, ActionId::ToggleXray, ActionId::ToggleNumbers}) {
+        ActionId::TogglePages, ActionId::ToggleTabs, ActionId::ToggleXray, ActionId::ToggleNumbers}) {
     entry(context, id);
   }
   ImGui::Separator();

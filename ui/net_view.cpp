@@ -173,9 +173,14 @@ void NetView::paint(const UiContext& context, const Scene& scene, Renderers& ren
   NetLook look;
   look.scale = ui.look.scale;
   look.shows_folds = !scene.is_rough();
+  look.is_printed = scene.is_net_on_paper();
+  renderers.net.draw_sheets(camera_, colours, look);
+  look.draws_sheets = false;
+  renderers.sheets.draw(camera_, colours, ui.look.scale);
   renderers.net.draw(camera_, colours, scene.states(), look);
   TreeLook tree{ui.settings.show_tree, ui.settings.show_root, true, ui.look.scale};
-  renderers.tree.draw_on_net(camera_, colours, tree);
+  // On the printed page it would hide the numbers.
+  if (!look.is_printed) renderers.tree.draw_on_net(camera_, colours, tree);
   renderers.overlay.draw_on_net(camera_, colours, ui.look.scale);
 }
 
@@ -187,7 +192,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   const std::string brief = comma == std::string::npos ? "" : state.substr(comma + 2);
   view_header(context, "net", "Net", {state, brief}, to_u32(palette_of(ui).desk),
               {ActionId::ToggleNumbers, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
-               ActionId::TogglePages, ActionId::Frame});
+               ActionId::TogglePages, ActionId::ToggleTabs, ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 size(room.x, room.y - legend_height(ui) - timeline_height(context));

@@ -9,7 +9,9 @@
 #include "ui/lit.h"
 #include "ui/measure.h"
 #include "ui/overlay.h"
+#include "ui/printed.h"
 #include "ui/selection.h"
+#include "ui/view_parts.h"
 
 namespace netwright {
 namespace {
@@ -117,6 +119,41 @@ void Scene::follow_swing(UiState& ui, const std::shared_ptr<const ShownNet>& sho
   if (swinging_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
 
+/// What the sheets show: everything that will be printed, as long as nothing of it is on the move.
+void Scene::take_sheets(const UiContext& context, Renderers& renderers) {
+  const UiState& ui = context.ui;
+  const bool is_wanted = ui.settings.show_tabs && paged_ != nullptr && !swinging_ && !ui.editing.is_on &&
+                         !ui.arranging.is_on && layout_ == context.session.pages();
+  const auto sheets = is_wanted ? context.session.sheets() : nullptr;
+  const PrintedSide side = context.session.project().sheet.printed_side;
+  if (sheets == sheets_ && sheets == nullptr) return give_tabs(context, renderers);
+  tabs_of_ = 0;
+  if (sheets == sheets_) return;
+  sheets_ = sheets;
+  ++version_;
+  if (sheets_ == nullptr) return give_tabs(context, renderers);
+  is_mirrored_ = side == PrintedSide::Inside;
+  const std::vector<PlacedSheet> placed = place_sheets(*sheets_, *layout_, side);
+  for (const PlacedSheet& sheet : placed) net_box_.add(box_of(sheet, layout_->scale));
+  renderers.sheets.set_sheets(placed, layout_->scale, ++sheets_version_);
+}
+
+/// Beside the net's own drawing, wherever its faces lie.
+void Scene::give_tabs(const UiContext& context, Renderers& renderers) {
+  const auto pages = context.ui.settings.show_tabs ? context.session.pages() : nullptr;
+  const bool is_dark = context.ui.look.colours.is_dark;
+  if (tabs_of_ == version_ && tabs_layout_ == pages && is_dark_ == is_dark) return;
+  if (tabs_layout_ != pages) ++version_;
+  tabs_of_ = version_;
+  tabs_layout_ = pages;
+  is_dark_ = is_dark;
+  if (shown_ == nullptr || pages == nullptr || pages->tabs.tabs.empty()) return renderers.sheets.clear();
+  const Palette& colours = palette_of(context.ui);
+  const Sheet tabs = draw_tabs(pages->tabs, shown_->net, *net(), pages->scale, colours);
+  const PlacedSheet placed{&tabs};
+  renderers.sheets.set_sheets({&placed, 1}, pages->scale, ++sheets_version_);
+}
+
 void Scene::give_net(const UiContext& context, Renderers& renderers) const {
   if (shown_ == nullptr) return;
   renderers.net.set_net(*net(), shown_->kinds, version_, !is_rough_);
@@ -222,6 +259,7 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     ++file_version_;
   }
   take_net(context, renderers);
+  take_sheets(context, renderers);
   mark_faces(context);
   take_pose(context, renderers);
   notice_motion(context);

@@ -42,6 +42,10 @@ class Scene {
   [[nodiscard]] bool is_swinging() const { return swinging_.has_value(); }
   /// Everything the net's view should show: net and pages.
   [[nodiscard]] const Box2& net_box() const { return swinging_ ? swinging_->box : net_box_; }
+  /// The pages are seen as they will be printed.
+  [[nodiscard]] bool is_printed() const { return sheets_ != nullptr && !swinging_ && paged_ != nullptr; }
+  /// The sheets beside which the net itself is drawn, since they are mirrored.
+  [[nodiscard]] bool is_net_on_paper() const { return is_printed() && !is_mirrored_; }
   [[nodiscard]] bool is_on_pages() const { return swinging_ ? swinging_->is_on_pages : paged_ != nullptr; }
   /// Changes whenever the net, its pages or its overlaps do.
   [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -69,6 +73,8 @@ class Scene {
   void take_pose(const UiContext& context, Renderers& renderers);
   void notice_motion(const UiContext& context);
   void give_net(const UiContext& context, Renderers& renderers) const;
+  void take_sheets(const UiContext& context, Renderers& renderers);
+  void give_tabs(const UiContext& context, Renderers& renderers);
   void place();
 
   /// The desk as it was when the swing began.
@@ -83,6 +89,12 @@ class Scene {
   std::shared_ptr<const ShownNet> shown_;
   std::unique_ptr<const PagedNet> paged_;
   std::shared_ptr<const PageLayout> layout_;
+  std::shared_ptr<const std::vector<Sheet>> sheets_;  ///< shown in place of the net's own drawing
+  bool is_mirrored_ = false;
+  std::uint64_t sheets_version_ = 1;
+  std::uint64_t tabs_of_ = 0;  ///< the version of the net whose tabs were drawn
+  std::shared_ptr<const PageLayout> tabs_layout_;
+  bool is_dark_ = false;
   Box2 net_box_;
   std::optional<Swinging> swinging_;
   std::uint64_t version_ = 1;

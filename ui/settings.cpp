@@ -25,11 +25,12 @@ struct Flag {
   std::string_view key;
   bool Settings::*value;
 };
-constexpr std::array<Flag, 10> kFlags{Flag{"side_panel", &Settings::is_side_open},
+constexpr std::array<Flag, 11> kFlags{Flag{"side_panel", &Settings::is_side_open},
                                       Flag{"show_tree", &Settings::show_tree},
                                       Flag{"show_overlaps", &Settings::show_overlaps},
                                       Flag{"show_root", &Settings::show_root},
                                       Flag{"show_pages", &Settings::show_pages},
+                                      Flag{"show_tabs", &Settings::show_tabs},
                                       Flag{"show_numbers", &Settings::show_numbers},
                                       Flag{"xray", &Settings::is_xray},
                                       Flag{"show_textures", &Settings::show_textures},

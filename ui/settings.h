@@ -37,6 +37,7 @@ struct Settings {
   bool show_overlaps = true;
   bool show_root = true;
   bool show_pages = true;
+  bool show_tabs = true;
   bool is_xray = false;       ///< the model is seen through
   bool show_numbers = false;  ///< of faces and edges, in the net
   bool show_textures = true;

@@ -30,6 +30,7 @@ class Workspace {
   [[nodiscard]] const ModelView& model_view() const { return model_view_; }
   [[nodiscard]] const NetView& net_view() const { return net_view_; }
   [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const SheetRenderer& sheets() const { return renderers_.sheets; }
   [[nodiscard]] const OverlayRenderer& overlay() const { return renderers_.overlay; }
 
  private:

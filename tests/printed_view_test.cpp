@@ -1,0 +1,129 @@
+// The net's page mode shows the finished sheets: the same ink that the writers put into files.
+#include <gtest/gtest.h>
+
+#include "tests/gui_support.h"
+#include "tests/support.h"
+#include "ui/actions.h"
+#include "ui/printed.h"
+
+namespace netwright::testing {
+namespace {
+
+/// Pixels of the window near a place on the sheet, in its mm, that are darker than paper.
+int n_inked(Gui& gui, glm::dvec2 on_sheet_mm, int reach) {
+  const auto& scene = gui.app.workspace().scene();
+  const auto pages = gui.session().pages();
+  const auto placed = place_sheets(*gui.session().sheets(), *pages, PrintedSide::Outside);
+  const glm::dvec2 mm = placed.front().corner_mm + on_sheet_mm;
+  const glm::dvec2 world = glm::dvec2(mm.x, -mm.y) / pages->scale;
+  EXPECT_TRUE(scene.is_printed());
+  const WidgetRect view = gui.rect("net/picture");
+  const glm::dvec2 at =
+      gui.app.workspace().net_view().camera().to_pixel(world) + glm::dvec2(view.min.x, view.min.y);
+  const Image picture = gui.window.read_pixels();
+  int n = 0;
+  for (int y = static_cast<int>(at.y) - reach; y <= static_cast<int>(at.y) + reach; ++y)
+    for (int x = static_cast<int>(at.x) - reach; x <= static_cast<int>(at.x) + reach; ++x) {
+      const auto i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                          static_cast<std::size_t>(x));
+      n += picture.rgba[i] + picture.rgba[i + 1] + picture.rgba[i + 2] < 3 * 200 ? 1 : 0;
+    }
+  return n;
+}
+
+const Text* title_of(const Sheet& sheet) {
+  const Text* largest = nullptr;
+  for (const Text& text : sheet.texts)
+    if (largest == nullptr || text.size_mm > largest->size_mm) largest = &text;
+  return largest;
+}
+
+TEST(PrintedView, ShowsTitleAndLinesWhereTheSheetHasThem) {
+  Gui gui;
+  gui.open_sample("Globe");
+  ASSERT_TRUE(gui.unfold());
+  gui.frames(5);
+  ASSERT_TRUE(gui.session().sheets());
+  EXPECT_TRUE(gui.app.workspace().scene().is_printed());
+  const Sheet& sheet = gui.session().sheets()->front();
+  const Text* title = title_of(sheet);
+  ASSERT_NE(title, nullptr);
+  EXPECT_GT(n_inked(gui, title->at + glm::dvec2(0.3 * title->size_mm, -0.3 * title->size_mm), 3), 0);
+  EXPECT_GT(gui.app.workspace().sheets().n_letters(), 0);
+  int n_seen = 0;
+  int n_lines = 0;
+  for (const Stroke& stroke : sheet.strokes) {
+    if (stroke.layer != Layer::Cut || stroke.points.size() < 2) continue;
+    ++n_lines;
+    n_seen += n_inked(gui, (stroke.points[0] + stroke.points[1]) * 0.5, 2) > 0 ? 1 : 0;
+    if (n_lines == 20) break;
+  }
+  ASSERT_GT(n_lines, 0);
+  EXPECT_EQ(n_seen, n_lines) << "every cut of the sheet is on the screen";
+}
+
+TEST(PrintedView, TakesTurnsWithTheNetsOwnDrawing) {
+  Gui gui;
+  gui.open_sample("Cube");
+  ASSERT_TRUE(gui.unfold());
+  gui.frames(5);
+  const auto is_printed = [&] {
+    gui.frames(3);
+    return gui.app.workspace().scene().is_printed();
+  };
+  EXPECT_TRUE(is_printed());
+  gui.key('P');
+  EXPECT_FALSE(is_printed()) << "without pages there is nothing printed";
+  EXPECT_EQ(gui.app.workspace().sheets().is_empty(), gui.session().pages()->tabs.tabs.empty())
+      << "but the tabs are there";
+  gui.key('B');
+  gui.frames(3);
+  EXPECT_TRUE(gui.app.workspace().sheets().is_empty());
+  gui.key('P');
+  EXPECT_FALSE(is_printed()) << "tabs are hidden, so it is not what will be printed";
+  gui.key('B');
+  EXPECT_TRUE(is_printed());
+  gui.key('E');
+  EXPECT_FALSE(is_printed()) << "while the net is edited";
+  gui.key('E');
+  EXPECT_TRUE(is_printed());
+}
+
+TEST(PrintedView, LettersTooSmallToReadAreLeftOut) {
+  Gui gui;
+  gui.open_sample("Globe");
+  ASSERT_TRUE(gui.unfold());
+  gui.frames(5);
+  const int n_before = gui.app.workspace().sheets().n_letters();
+  const WidgetRect view = gui.rect("net/picture");
+  gui.point({(view.min.x + view.max.x) / 2, (view.min.y + view.max.y) / 2});
+  for (int i = 0; i < 14; ++i) {
+    gui.window.scroll({0, -1});
+    gui.frames(1);
+  }
+  gui.frames(2);
+  EXPECT_LT(gui.app.workspace().sheets().n_letters(), n_before);
+}
+
+TEST(PlaceSheets, PutsAPageUnderTheNetThatLiesOnIt) {
+  Gui gui;
+  gui.open_sample("Cube");
+  ASSERT_TRUE(gui.unfold());
+  gui.frames(5);
+  const auto pages = gui.session().pages();
+  const auto& sheets = *gui.session().sheets();
+  const auto placed = place_sheets(sheets, *pages, PrintedSide::Outside);
+  ASSERT_EQ(placed.size(), sheets.size());
+  const Net& net = *gui.app.workspace().scene().net();
+  const Box2 page = box_of(placed.front(), pages->scale);
+  const Box2 drawn = net.box();
+  EXPECT_GE(drawn.min.x, page.min.x);
+  EXPECT_LE(drawn.max.x, page.max.x);
+  EXPECT_GE(drawn.min.y, page.min.y);
+  EXPECT_LE(drawn.max.y, page.max.y);
+  const auto backs = place_sheets(sheets, *pages, PrintedSide::Inside);
+  EXPECT_LT(box_of(backs.front(), pages->scale).max.y, page.min.y) << "what is mirrored stands apart";
+}
+
+}  // namespace
+}  // namespace netwright::testing

@@ -1,0 +1,86 @@
+// A page's place follows from the layout that drew it, so that pointing at the printed net finds the faces
+// that lie there.
+#include "ui/printed.h"
+
+#include "ui/desk.h"
+
+namespace netwright {
+namespace {
+
+constexpr double kGapMm = 15;  ///< between a front and its back, and before what stands at the right
+
+/// A tile shows the part of the canvas that it prints.
+std::optional<Box2> clip_of(const PageLayout& layout, const PageLayout::Page& page) {
+  if (!layout.canvases[static_cast<std::size_t>(page.canvas)].is_tiled()) return std::nullopt;
+  const glm::dvec2 from = page.origin + glm::dvec2(canvas_left(layout, page.canvas), 0);
+  const glm::dvec2 to = from + layout.frame.net.size();
+  Box2 box;
+  box.add(glm::dvec2(from.x, -from.y) / layout.scale);
+  box.add(glm::dvec2(to.x, -to.y) / layout.scale);
+  return box;
+}
+
+}  // namespace
+
+std::vector<PlacedSheet> place_sheets(const std::vector<Sheet>& sheets, const PageLayout& layout,
+                                      PrintedSide printed_side) {
+  std::vector<PlacedSheet> placed;
+  std::size_t n_fronts = 0;
+  double right = canvas_left(layout, static_cast<int>(layout.canvases.size()));
+  const bool is_mirrored = printed_side == PrintedSide::Inside;
+  for (const Sheet& sheet : sheets) {
+    const bool is_front = !sheet.is_back || is_mirrored;
+    const std::size_t at = is_front ? n_fronts++ : n_fronts - 1;
+    if (at >= layout.pages.size()) {
+      if (!is_front) continue;
+      placed.push_back({&sheet, glm::dvec2(right, 0) - layout.frame.net.min, std::nullopt, true});
+      right += sheet.width_mm + kGapMm;
+      continue;
+    }
+    const PageLayout::Page& page = layout.pages[at];
+    glm::dvec2 corner = page.origin - layout.frame.net.min + glm::dvec2(canvas_left(layout, page.canvas), 0);
+    const std::optional<Box2> clip = clip_of(layout, page);
+    // What is mirrored lies elsewhere than the net it shows.
+    const bool stands_apart = !is_front || is_mirrored;
+    if (stands_apart && clip) continue;
+    if (stands_apart) corner.y += sheet.height_mm + kGapMm;
+    placed.push_back({&sheet, corner, clip, stands_apart});
+  }
+  return placed;
+}
+
+Box2 box_of(const PlacedSheet& placed, double scale) {
+  if (placed.clip) return *placed.clip;
+  const glm::dvec2 end = placed.corner_mm + glm::dvec2(placed.sheet->width_mm, placed.sheet->height_mm);
+  Box2 box;
+  box.add(glm::dvec2(placed.corner_mm.x, -placed.corner_mm.y) / scale);
+  box.add(glm::dvec2(end.x, -end.y) / scale);
+  return box;
+}
+
+std::vector<glm::dvec2> tab_outline(const GlueTab& tab, const Net& shown, const Net& net, double scale) {
+  const FaceId f = shown.mesh().face(tab.side);
+  const Rigid2 there = net.placement[f] * shown.placement[f].inverse();
+  std::vector<glm::dvec2> outline;
+  for (const glm::dvec2 p : tab.points) outline.push_back(there(p / scale));
+  return outline;
+}
+
+Sheet draw_tabs(const GlueTabs& tabs, const Net& shown, const Net& net, double scale,
+                const Palette& palette) {
+  Sheet sheet;
+  const glm::dvec3 paper = glm::dvec3(0.93, 0.93, 0.90);
+  for (const GlueTab& tab : tabs.tabs) {
+    std::vector<glm::dvec2> outline = tab_outline(tab, shown, net, scale);
+    for (glm::dvec2& p : outline) p = glm::dvec2(p.x, -p.y) * scale;
+    sheet.fills.push_back({Layer::Print, outline, paper});
+    // The side it grows from has a line of its own already.
+    std::vector<glm::dvec2> rim(outline.begin() + 1, outline.end());
+    rim.push_back(outline.front());
+    sheet.strokes.push_back(
+        {Layer::Cut, std::move(rim), false, 0, glm::dvec3(glm::vec3(palette.cut)), {}, 0});
+  }
+  return sheet;
+}
+
+}  // namespace netwright
