@@ -2,6 +2,8 @@
 // Derived before and takes that one's result over when nothing changed.
 #include "core/project/derived.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/predicates.h"
 #include "core/unfold/flat_net.h"
@@ -38,6 +40,13 @@ PageLayout pages_of(const Project& project, const Net& net) {
   return arrange(net, project.paper, project.size, project.tabs);
 }
 
+/// Sheets to look at: as many pixels as a screen shows. What is printed is drawn anew.
+SheetSettings for_the_screen(SheetSettings settings) {
+  constexpr int kScreenDpi = 110;
+  settings.pictures.dpi = std::min(settings.pictures.dpi, kScreenDpi);
+  return settings;
+}
+
 void derive_sheets(Derived& derived, const Derived* before) {
   const Project& project = derived.source;
   const bool is_same_run = before && before->source.run == project.run && before->shown == derived.shown;
@@ -56,7 +65,7 @@ void derive_sheets(Derived& derived, const Derived* before) {
     if (!project.placed.is_automatic()) derived.misplaced = find_misplaced(net, *derived.pages);
     if (derived.shown->is_proved && derived.misplaced.is_nothing())
       derived.sheets = std::make_shared<const std::vector<Sheet>>(
-          draw_sheets(net, *derived.pages, sheet_info(project), project.sheet));
+          draw_sheets(net, *derived.pages, sheet_info(project), for_the_screen(project.sheet)));
   } catch (const Error& error) {
     derived.pages = nullptr;
     derived.fault = error.what();

@@ -17,6 +17,30 @@ bool is_inside(const Box2& box, const Label& label) {
   });
 }
 
+/// How bright the picture is at a point of the page, 0…1; white paper where there is none.
+double brightness(const Sheet& sheet, glm::dvec2 at) {
+  for (const Picture& picture : sheet.pictures) {
+    const Image& image = *picture.image;
+    const glm::dvec2 pixel =
+        glm::floor((at - picture.at) / picture.size_mm * glm::dvec2(image.width, image.height));
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= image.width || pixel.y >= image.height) continue;
+    const std::uint8_t* const p =
+        &image.rgba[4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(pixel.x))];
+    if (p[3] != 0) return (0.3 * p[0] + 0.59 * p[1] + 0.11 * p[2]) / 255;
+  }
+  return 1;
+}
+
+/// Light words where most of what they stand on is dark.
+bool is_on_dark(const Sheet& sheet, const PageView& view, const Label& label) {
+  constexpr double kDark = 0.42;
+  const std::array<glm::dvec2, 4> corners = label.corners();
+  double sum = brightness(sheet, view.at(label.centre));
+  for (const glm::dvec2 corner : corners) sum += brightness(sheet, view.at((corner + label.centre) * 0.5));
+  return sum / 5 < kDark;
+}
+
 }  // namespace
 
 void draw_labels(Sheet& sheet, const PlacedLabels& placed, const PageView& view) {
@@ -33,6 +57,7 @@ void draw_labels(Sheet& sheet, const PlacedLabels& placed, const PageView& view)
     text.size_mm = label.size_mm;
     text.weight = weight_of(label.kind);
     text.colour = label.kind == Label::Kind::EdgeNumber ? kInk : kQuietInk;
+    if (!sheet.pictures.empty() && is_on_dark(sheet, view, label)) text.colour = kPaperInk;
     text.angle_rad = angle;
     sheet.texts.push_back(std::move(text));
   }

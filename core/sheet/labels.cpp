@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kShrink = 0.85;
 constexpr std::array<double, 7> kAlong = {0, -0.1, 0.1, -0.22, 0.22, -0.34, 0.34};
-constexpr std::array<double, 5> kFromSide = {0.45, 0.8, 1.3, 2.0, 3.0};
+constexpr std::array<double, 5> kFromSide = {0.75, 0.45, 1.3, 2.0, 3.0};
 
 /// Sizes from the wanted one down to the smallest that can be read.
 std::vector<double> sizes_from(double most) {

@@ -7,6 +7,7 @@
 
 #include "core/sheet/draw.h"
 #include "core/sheet/outline.h"
+#include "core/sheet/piece_pictures.h"
 #include "core/sheet/print_style.h"
 
 namespace netwright {
@@ -77,6 +78,7 @@ void draw_test_square(Sheet& sheet, const NetLines& lines, const PageView& view)
 std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info,
                                const SheetSettings& settings) {
   const NetLines lines = net_lines(net, layout, settings);
+  const PictureArtist pictures(net, layout, settings);
   const PlacedLabels labels = place_labels(net, layout, settings);
   const MarginArtist margin(layout, title_words(net, layout, info, labels.left_out.size()), settings.lines);
   std::vector<Sheet> sheets;
@@ -91,6 +93,7 @@ std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const S
     const PageView view{layout, page, false, layout.frame.net};
     if (sheets.empty() && !is_tile) draw_test_square(sheet, lines, view);
     if (is_tile) draw_tile_marks(sheet, view, margin.font());
+    pictures.draw(sheet, view);
     draw_net(sheet, lines, view, settings.lines);
     draw_labels(sheet, labels, view);
     margin.draw(sheet, view, "The printed side is the outside.");

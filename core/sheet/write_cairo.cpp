@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <span>
@@ -79,6 +80,24 @@ FontFace cairo_face(FontWeight weight) {
   return face;
 }
 
+/// cairo wants colours multiplied by their opacity, in words of the machine's own byte order.
+Surface cairo_image(const Image& image) {
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+  unsigned char* const rows = cairo_image_surface_get_data(surface.get());
+  if (rows == nullptr) throw std::bad_alloc();
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  const std::uint8_t* from = image.rgba.data();
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y)
+    for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x, from += 4) {
+      const std::uint32_t alpha = from[3];
+      const auto part = [&](std::size_t c) { return (from[c] * alpha + 127U) / 255U; };
+      const std::uint32_t word = alpha << 24U | part(0) << 16U | part(1) << 8U | part(2);
+      std::memcpy(rows + y * stride + 4 * x, &word, 4);
+    }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
+
 /// Draws sheets onto a context whose unit is the millimetre.
 class Painter {
  public:
@@ -90,6 +109,8 @@ class Painter {
       set_colour(fill.colour);
       cairo_fill(cr_);
     }
+    for (const Picture& picture : sheet.pictures)
+      if (picture.image && !picture.image->is_empty()) show(picture);
     cairo_set_line_cap(cr_, CAIRO_LINE_CAP_BUTT);
     cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
     for (const Stroke& stroke : sheet.strokes) {
@@ -114,6 +135,17 @@ class Painter {
   }
 
  private:
+  /// One image object with as many pixels as the picture has; what scales it is the page's matrix.
+  void show(const Picture& picture) {
+    const Surface surface = cairo_image(*picture.image);
+    cairo_save(cr_);
+    cairo_translate(cr_, picture.at.x, picture.at.y);
+    cairo_scale(cr_, picture.size_mm.x / picture.image->width, picture.size_mm.y / picture.image->height);
+    cairo_set_source_surface(cr_, surface.get(), 0, 0);
+    cairo_paint(cr_);
+    cairo_restore(cr_);
+  }
+
   void trace(const std::vector<glm::dvec2>& points, bool is_closed) {
     cairo_new_path(cr_);
     for (const glm::dvec2 p : points) cairo_line_to(cr_, p.x, p.y);
