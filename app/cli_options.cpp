@@ -160,7 +160,7 @@ class Reader {
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
     note_given();
     take_pins();
-    take_cutter();
+    take_exports();
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     // "a4" is understood; what is printed calls it by its own name.
     if (const auto paper = find_paper(unfold_.paper.format)) unfold_.paper.format = paper->name;
@@ -253,6 +253,14 @@ class Reader {
         ->type_name("N")
         ->check(within(kLeastDpi, kMostDpi, "a whole number from 72 to 600"))
         ->capture_default_str();
+    app.add_option("--instructions", instructions_,
+                   "PDF, PNG, SVG: a page with pictures of the folding, time and difficulty")
+        ->type_name("first|last")
+        ->check(CLI::Validator(
+            [](std::string& word) {
+              return word == "first" || word == "last" ? std::string() : "it must be first or last";
+            },
+            ""));
     app.add_option(
            "--cutter", cutter_,
            "Write all that a cutting machine needs into OUT, then a folder: a PDF to print, SVG and DXF "
@@ -267,7 +275,9 @@ class Reader {
             ""));
   }
 
-  void take_cutter() {
+  void take_exports() {
+    if (instructions_ == "first") unfold_.exports.instructions = InstructionPage::First;
+    if (instructions_ == "last") unfold_.exports.instructions = InstructionPage::Last;
     if (cutter_ == "silhouette") unfold_.cutter = CutterPreset::Silhouette;
     if (cutter_ == "cricut") unfold_.cutter = CutterPreset::Cricut;
     if (cutter_ == "laser") unfold_.cutter = CutterPreset::Laser;
@@ -447,7 +457,7 @@ class Reader {
   CLI::Option* height_ = nullptr;
   bool is_fit_page_ = false;
   std::string up_;
-  std::string cutter_;
+  std::string instructions_, cutter_;
   bool is_repair_ = false;
   int hole_edges_ = 0;
   std::vector<std::string> leave_out_;

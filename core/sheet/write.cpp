@@ -8,6 +8,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/sheet/fold_file.h"
+#include "core/sheet/instructions.h"
 #include "core/sheet/net_obj.h"
 
 namespace netwright {
@@ -81,8 +82,12 @@ std::vector<path> write_drawing(const path& file, const Net& net, const PageLayo
     return {file};
   }
   if (extension == ".obj") return write_net_obj(file, net, layout, settings, exports);
-  const std::vector<Sheet> sheets = draw_sheets(net, layout, info, settings);
+  std::vector<Sheet> sheets = draw_sheets(net, layout, info, settings);
   using Sheets = std::span<const Sheet>;
+  if (exports.instructions != InstructionPage::None && extension != ".dxf") {
+    const bool is_first = exports.instructions == InstructionPage::First;
+    sheets.insert(is_first ? sheets.begin() : sheets.end(), instruction_sheet(net, layout, info, settings));
+  }
   if (extension == ".svg")
     return write_pages(file, sheets, exports.is_one_file,
                        [&](Sheets some) { return svg_bytes(some, title, exports); });

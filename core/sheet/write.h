@@ -28,8 +28,8 @@ std::filesystem::path page_path(const std::filesystem::path& file, std::size_t i
 
 /// Draws the net and writes it; returns the files made. PDF and FOLD are one file; PNG, SVG and DXF are one
 /// per page: name.png, or name_1.png, name_2.png … when there are several; SVG and DXF on request one for
-/// all. OBJ has its materials and pictures beside it. Throws Error(Usage) for an unknown extension, naming the known ones, and Error(Write) when a file
-/// cannot be written.
+/// all. OBJ has its materials and pictures beside it. Throws Error(Usage) for an unknown extension, naming
+/// the known ones, and Error(Write) when a file cannot be written.
 std::vector<std::filesystem::path> write_drawing(const std::filesystem::path& path, const Net& net,
                                                  const PageLayout& layout, const SheetInfo& info,
                                                  const SheetSettings& settings = {},
