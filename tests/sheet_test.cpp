@@ -309,6 +309,238 @@ TEST(DrawSheets, CarriesDashesOnAcrossTileBorders) {
   EXPECT_GT(continued, 0);
 }
 
+std::string words_of(const Sheet& sheet) {
+  std::string all;
+  for (const Text& text : sheet.texts) all += text.words + "\n";
+  return all;
+}
+
+std::vector<Stroke> strokes_on(const Sheet& sheet, Layer layer) {
+  std::vector<Stroke> found;
+  for (const Stroke& stroke : sheet.strokes)
+    if (stroke.layer == layer) found.push_back(stroke);
+  return found;
+}
+
+/// The stroke's points with left and right exchanged about the middle of the paper.
+std::vector<glm::dvec2> turned_over(const Sheet& sheet, const Stroke& stroke) {
+  std::vector<glm::dvec2> points = stroke.points;
+  for (glm::dvec2& p : points) p.x = sheet.width_mm - p.x;
+  return points;
+}
+
+void expect_same_points(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LT(glm::length(a[i] - b[i]), 1e-9);
+}
+
+TEST(PrintedSides, TheInsideIsMirroredAndItsMountainsAreValleys) {
+  const Net net = net_of(shapes::star(7));
+  const PageLayout layout = arrange(net, {}, {});
+  SheetSettings settings;
+  const std::vector<Sheet> outside = draw_sheets(net, layout, {}, settings);
+  settings.printed_side = PrintedSide::Inside;
+  const std::vector<Sheet> inside = draw_sheets(net, layout, {}, settings);
+  ASSERT_EQ(inside.size(), outside.size());
+  EXPECT_FALSE(inside[0].is_back);
+  EXPECT_EQ(strokes_on(inside[0], Layer::Mountain).size(), strokes_on(outside[0], Layer::Valley).size());
+  EXPECT_EQ(strokes_on(inside[0], Layer::Valley).size(), strokes_on(outside[0], Layer::Mountain).size());
+  for (const Stroke& stroke : strokes_on(inside[0], Layer::Valley))
+    EXPECT_EQ(stroke.colour, settings.lines.valley.colour);
+  // The net's frame lies in the middle of an A4 page, so that mirroring it is turning the page over.
+  expect_same_points(turned_over(outside[0], strokes_on(outside[0], Layer::Cut)[0]),
+                     strokes_on(inside[0], Layer::Cut)[0].points);
+  EXPECT_NE(words_of(inside[0]).find("inside"), std::string::npos);
+  EXPECT_NE(words_of(outside[0]).find("The printed side is the outside."), std::string::npos);
+}
+
+TEST(PrintedSides, FrontAndBackRegisterWhenTheSheetIsTurnedOver) {
+  const Net net = net_of(shapes::icosphere(2));
+  for (const PaperSetup& paper : {PaperSetup{}, PaperSetup{"A6", Orientation::Portrait, 10},
+                                  PaperSetup{"A4", Orientation::Landscape, 10}})
+    for (const double mm : {60.0, 300.0}) {
+      const PageLayout layout = arrange(net, paper, height(mm));
+      SheetSettings settings;
+      settings.printed_side = PrintedSide::Both;
+      const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+      ASSERT_EQ(sheets.size(), 2 * layout.pages.size());
+      for (std::size_t i = 0; i < sheets.size(); i += 2) {
+        const Sheet& front = sheets[i];
+        const Sheet& back = sheets[i + 1];
+        EXPECT_FALSE(front.is_back);
+        EXPECT_TRUE(back.is_back);
+        EXPECT_EQ(front.tag, back.tag);
+        const std::vector<Stroke> cuts = strokes_on(front, Layer::Cut);
+        const std::vector<Stroke> behind = strokes_on(back, Layer::Cut);
+        ASSERT_EQ(cuts.size(), behind.size());
+        for (std::size_t k = 0; k < cuts.size(); ++k)
+          expect_same_points(turned_over(front, cuts[k]), behind[k].points);
+        EXPECT_TRUE(strokes_on(front, Layer::Mountain).empty()) << "the front shows no marks";
+        const Box2 p = layout.frame.printable;
+        expect_on_paper(front, p);
+        expect_on_paper(back, {{front.width_mm - p.max.x, p.min.y}, {front.width_mm - p.min.x, p.max.y}});
+      }
+      EXPECT_NE(words_of(sheets[0]).find("outside"), std::string::npos);
+      EXPECT_NE(words_of(sheets[0]).find(layout.frame.is_landscape() ? "short edge" : "long edge"),
+                std::string::npos);
+      EXPECT_NE(words_of(sheets[1]).find("inside"), std::string::npos);
+    }
+}
+
+TEST(PrintedSides, LabelsOnTheReverseLieBehindTheirPlaces) {
+  const Net net = net_of(shapes::icosphere(2));
+  const PageLayout layout = arrange(net, {}, {});
+  SheetSettings settings;
+  const std::vector<Sheet> plain = draw_sheets(net, layout, {}, settings);
+  settings.labels.on_reverse = true;
+  const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+  ASSERT_EQ(sheets.size(), 2U);
+  const auto labels = [](const Sheet& sheet) {
+    std::vector<Text> found;
+    for (const Text& text : sheet.texts)
+      if (text.layer == Layer::Labels) found.push_back(text);
+    return found;
+  };
+  EXPECT_TRUE(labels(sheets[0]).empty());
+  EXPECT_TRUE(std::ranges::none_of(sheets[1].strokes, is_of_net));
+  ASSERT_EQ(labels(sheets[1]).size(), labels(plain[0]).size());
+  const Font font(FontWeight::Regular);
+  const auto centre = [&](const Text& text) {
+    const glm::dvec2 half(font.width(text.words, text.size_mm) / 2, -0.37 * text.size_mm);
+    return text.at + Rigid2::rotation(text.angle_rad).rotate(half);
+  };
+  for (std::size_t i = 0; i < labels(plain[0]).size(); ++i) {
+    const Text front = labels(plain[0])[i];
+    const Text back = labels(sheets[1])[i];
+    EXPECT_EQ(front.words, back.words);
+    const glm::dvec2 behind(plain[0].width_mm - centre(front).x, centre(front).y);
+    EXPECT_LT(glm::length(behind - centre(back)), 1e-6);
+    EXPECT_NEAR(front.angle_rad, -back.angle_rad, 1e-12);
+  }
+}
+
+TEST(PrintedSides, MirroredTilesNameTheNeighboursThatLieThere) {
+  const Net net = net_of(shapes::cube());
+  const PageLayout layout = arrange(net, {"A4", Orientation::Portrait, 10}, height(150));
+  SheetSettings settings;
+  settings.printed_side = PrintedSide::Inside;
+  const std::vector<Sheet> outside = draw_sheets(net, layout, {});
+  const std::vector<Sheet> inside = draw_sheets(net, layout, {}, settings);
+  int n_exchanged = 0;
+  const auto place_of = [](const Sheet& sheet, const std::string& words) -> std::optional<glm::dvec2> {
+    for (const Text& text : sheet.texts)
+      if (text.words == words && text.size_mm == 2.6) return text.at;
+    return std::nullopt;
+  };
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    for (const PageLayout::Page& other : layout.pages) {
+      if (other.canvas != layout.pages[i].canvas || other.row != layout.pages[i].row) continue;
+      if (std::abs(other.column - layout.pages[i].column) != 1) continue;
+      const auto before = place_of(outside[i], other.tag);
+      const auto after = place_of(inside[i], other.tag);
+      ASSERT_TRUE(before && after);
+      EXPECT_EQ(before->x<105, after->x> 105);
+      ++n_exchanged;
+    }
+  EXPECT_GT(n_exchanged, 0);
+}
+
+TEST(DrawSheets, PrintsEverythingInGreyOnRequest) {
+  const Net net = net_of(shapes::star(7));
+  SheetSettings settings;
+  settings.is_grey = true;
+  const auto expect_grey = [](const glm::dvec3& c) {
+    EXPECT_NEAR(c.r, c.g, 1e-12);
+    EXPECT_NEAR(c.g, c.b, 1e-12);
+  };
+  for (const Sheet& sheet : draw_sheets(net, arrange(net, {}, {}), {"", true, {}}, settings)) {
+    for (const Stroke& stroke : sheet.strokes) expect_grey(stroke.colour);
+    for (const Fill& fill : sheet.fills) expect_grey(fill.colour);
+    for (const Text& text : sheet.texts) expect_grey(text.colour);
+  }
+}
+
+TEST(DrawSheets, HidesAndShowsSingleFolds) {
+  const Net net = net_of(shapes::grid_cube(3));
+  const PageLayout layout = arrange(net, {}, {});
+  SheetSettings settings;
+  const auto n_folds = [&] {
+    const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+    return strokes_on(sheets[0], Layer::Mountain).size() + strokes_on(sheets[0], Layer::Valley).size();
+  };
+  const std::size_t usual = n_folds();
+  const IdVector<EdgeId, EdgeKind> kinds = edge_kinds(net);
+  for (const EdgeId e : net.mesh().edges()) {
+    if (kinds[e] == EdgeKind::Flat && settings.shown_folds.empty()) settings.shown_folds.push_back(e);
+    if (kinds[e] == EdgeKind::Mountain && settings.hidden_folds.size() < 2)
+      settings.hidden_folds.push_back(e);
+  }
+  ASSERT_EQ(settings.shown_folds.size(), 1U);
+  ASSERT_EQ(settings.hidden_folds.size(), 2U);
+  EXPECT_EQ(n_folds(), usual - 1);
+  settings.lines.flat_below_rad = 2;
+  EXPECT_EQ(n_folds(), 1U) << "the one that is shown though flat";
+}
+
+TEST(DrawSheets, PrintsTheUsersWordsAndPictureBesideTheNet) {
+  const auto picture = std::make_shared<const Image>(Image{4, 2, std::vector<std::uint8_t>(32, 200)});
+  SheetSettings settings;
+  settings.words = {"My moon", "Ada Lovelace", "Use strong paper and a bone folder, and begin at the top.",
+                    picture};
+  for (const testing::ZooShape& shape : testing::zoo()) {
+    if (!shape.is_closed) continue;
+    const Net net = net_of(shape.soup);
+    const PageLayout layout = arrange(net, {}, {PrintSize::Kind::Height, 40});
+    const std::vector<Sheet> sheets = draw_sheets(net, layout, {"", true, 5}, settings);
+    expect_on_paper(sheets[0], layout.frame.printable);
+    EXPECT_NE(words_of(sheets[0]).find("My moon"), std::string::npos);
+    EXPECT_NE(words_of(sheets[0]).find("by Ada Lovelace"), std::string::npos);
+    EXPECT_NE(words_of(sheets[0]).find("bone folder"), std::string::npos) << words_of(sheets[0]);
+    for (const Picture& p : sheets[0].pictures) {
+      EXPECT_NEAR(p.size_mm.x, 2 * p.size_mm.y, 1e-9);
+      for (const Stroke& stroke : sheets[0].strokes)
+        for (std::size_t i = 0; is_of_net(stroke) && i + 1 < stroke.points.size(); ++i)
+          EXPECT_FALSE(clip_segment({p.at, p.at + p.size_mm}, stroke.points[i], stroke.points[i + 1]));
+    }
+  }
+}
+
+TEST(DrawSheets, KeepsTheUsersNoteWhereNothingIsFreeBesideTheNet) {
+  SheetSettings settings;
+  settings.words.note = "Begin here";
+  const Net net = net_of(shapes::icosphere(2));
+  const PageLayout layout = arrange(net, {}, height(700));
+  const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+  EXPECT_NE(words_of(sheets[0]).find("Begin here"), std::string::npos);
+  EXPECT_EQ(words_of(sheets[1]).find("Begin here"), std::string::npos);
+}
+
+TEST(LineStyles, PresetsTellMountainsFromValleys) {
+  const LineStyles origami = line_styles(LinePreset::Origami);
+  EXPECT_EQ(origami.mountain.dash_mm.size(), 4U);
+  EXPECT_EQ(origami.valley.dash_mm.size(), 2U);
+  EXPECT_EQ(origami.cut.width_mm, 0.25);
+  EXPECT_EQ(origami.valley.width_mm, 0.18);
+  const LineStyles kit = line_styles(LinePreset::Kit);
+  EXPECT_EQ(kit.mountain.dash_mm, origami.valley.dash_mm);
+  EXPECT_EQ(kit.valley.dash_mm, origami.mountain.dash_mm);
+  EXPECT_TRUE(line_styles(LinePreset::SolidDash).mountain.dash_mm.empty());
+  EXPECT_FALSE(line_styles(LinePreset::SolidDash).valley.dash_mm.empty());
+  const LineStyles cutter = line_styles(LinePreset::Cutter);
+  for (const PrintedLine* line : {&cutter.cut, &cutter.mountain, &cutter.valley, &cutter.tab_fold})
+    EXPECT_TRUE(line->dash_mm.empty());
+  EXPECT_NE(cutter.mountain.colour, cutter.valley.colour);
+  EXPECT_NE(cutter.mountain.colour, cutter.cut.colour);
+}
+
+TEST(FitDash, TakesPatternsThatAPersonTypes) {
+  EXPECT_TRUE(fit_dash(std::vector<double>{0, 0}, 50).empty()) << "nothing to draw is a line";
+  EXPECT_TRUE(fit_dash(std::vector<double>{-1, 2}, 50).empty());
+  const std::vector<double> odd = fit_dash(std::vector<double>{3}, 50);
+  ASSERT_EQ(odd.size(), 2U) << "three of ink, three of nothing";
+  EXPECT_NEAR(std::fmod(50 + 1e-9, odd[0] + odd[1]), odd[0], 1e-6);
+}
+
 TEST(FitDash, EndsWithInkAndStaysNearThePattern) {
   for (double length = 4; length < 60; length += 0.37) {
     const auto& pattern = print_style::kMountainDash;

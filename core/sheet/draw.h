@@ -45,8 +45,10 @@ struct PageView {
   }
 };
 
-/// What of the net lies on a page, clipped to its frame: folds first, outlines over them.
-void draw_net(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles);
+/// What of the net lies on a page, clipped to its frame. Mirrored pages show the other side of the paper, on
+/// which mountains are valleys.
+void draw_folds(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles);
+void draw_cuts(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles);
 
 /// The labels that lie wholly on the page.
 void draw_labels(Sheet& sheet, const PlacedLabels& placed, const PageView& view);
@@ -60,29 +62,41 @@ void draw_tile_marks(Sheet& sheet, const PageView& view, const Font& font);
 /// The words of the title block that are the same on every page.
 struct TitleWords {
   std::string title;
+  std::string author;   ///< "by …", or nothing
   std::string scale;    ///< scale and height
   std::string figures;  ///< the same, then faces and seed
   std::string proof;
   bool is_proved = false;
 };
 TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info,
-                       std::size_t n_unnumbered = 0);
+                       const SheetWords& own = {}, std::size_t n_unnumbered = 0);
+
+/// What the title block says about one page.
+struct MarginNotes {
+  std::string side;        ///< a sentence: which side of the paper this is
+  bool is_usual = true;    ///< it may be left out where room is short
+  bool is_back = false;    ///< then an upright ruler would lie on the net
+  bool has_legend = true;  ///< for pages with folds
+  std::string words;       ///< the user's note, where it found no better place
+};
 
 /// Title block, legend and ruler.
 class MarginArtist {
  public:
   MarginArtist(const PageLayout& layout, TitleWords words, const LineStyles& styles)
       : layout_(layout), words_(std::move(words)), styles_(styles) {}
-  /// `side` says in a sentence which side of the paper this is.
-  void draw(Sheet& sheet, const PageView& view, const std::string& side) const;
+  void draw(Sheet& sheet, const PageView& view, const MarginNotes& notes) const;
   [[nodiscard]] const Font& font() const { return regular_; }
 
  private:
-  void draw_header(Sheet& sheet, const PageView& view) const;
+  void draw_header(Sheet& sheet, const PageView& view, const MarginNotes& notes) const;
+  void draw_title(Sheet& sheet, double right, double baseline) const;
   [[nodiscard]] double draw_map(Sheet& sheet, const PageView& view, double right) const;
   void draw_proof(Sheet& sheet, double right, double baseline) const;
-  void draw_footer(Sheet& sheet, const std::string& side) const;
-  void draw_legend(Sheet& sheet, bool is_stacked, const std::string& side) const;
+  void draw_footer(Sheet& sheet, const MarginNotes& notes) const;
+  void draw_legend(Sheet& sheet, bool is_stacked, const MarginNotes& notes) const;
+  [[nodiscard]] double draw_samples(Sheet& sheet, bool is_stacked) const;
+  [[nodiscard]] bool has_one_row() const;
   [[nodiscard]] double word_width(const Text& text) const;
   void add_text(Sheet& sheet, Text text, double align) const;
 
@@ -95,8 +109,5 @@ class MarginArtist {
 
 /// A 100 mm ruler (50 mm where less room is left) with labels, from its zero mark, to the right or upwards.
 void draw_ruler(Sheet& sheet, glm::dvec2 zero, bool is_upright, double length_mm, const Font& font);
-
-/// A 50 mm square to check the scale by, if the page has room beside the net.
-void draw_test_square(Sheet& sheet, const NetLines& lines, const PageView& view);
 
 }  // namespace netwright

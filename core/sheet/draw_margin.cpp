@@ -22,6 +22,7 @@ constexpr double kPageSize = 3.3;
 constexpr double kSmallSize = 2.5;
 constexpr double kTitleBaseline = 4.3;
 constexpr double kSmallBaseline = 8.6;
+constexpr double kTitleGap = 2.5;
 constexpr double kLegendSize = 2.4;
 constexpr double kLegendGap = 2;
 constexpr double kMapHeight = 9.4;
@@ -54,14 +55,15 @@ std::string fitted(const Font& font, const std::string& words, double size_mm, d
 
 }  // namespace
 
-TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info,
+TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo& info, const SheetWords& own,
                        std::size_t n_unnumbered) {
   const Mesh& mesh = net.mesh();
   TitleWords words;
+  const std::string& given = info.title.empty() ? own.title : info.title;
   // A model is named by its file; what kind of file it was matters to nobody who cuts it out.
-  words.title =
-      clean_utf8(info.title.empty() ? std::filesystem::path(mesh.name()).stem().string() : info.title);
+  words.title = clean_utf8(given.empty() ? std::filesystem::path(mesh.name()).stem().string() : given);
   if (words.title.empty()) words.title = "Model";
+  if (!own.author.empty()) words.author = "by " + clean_utf8(own.author);
   words.scale = "Scale 1 unit = " + short_number(layout.scale) + " mm";
   if (layout.model_height_mm > 1e-6)
     words.scale += ", model " + short_number(layout.model_height_mm) + " mm high";
@@ -84,12 +86,34 @@ void MarginArtist::add_text(Sheet& sheet, Text text, double align) const {
   sheet.texts.push_back(std::move(text));
 }
 
-void MarginArtist::draw(Sheet& sheet, const PageView& view, const std::string& side) const {
-  draw_header(sheet, view);
-  draw_footer(sheet, side);
+void MarginArtist::draw(Sheet& sheet, const PageView& view, const MarginNotes& notes) const {
+  draw_header(sheet, view, notes);
+  draw_footer(sheet, notes);
 }
 
-void MarginArtist::draw_header(Sheet& sheet, const PageView& view) const {
+/// Title and author, shortened to what is left of their line.
+void MarginArtist::draw_title(Sheet& sheet, double right, double baseline) const {
+  const double left = layout_.frame.header.min.x;
+  const double author_width =
+      words_.author.empty() ? 0 : kTitleGap + regular_.width(words_.author, kPageSize);
+  // The title comes first: its author has what it leaves.
+  const double title_room = std::max(right - left - 5 - author_width, 0.6 * (right - left - 5));
+  const std::string title = fitted(semi_bold_, words_.title, kTitleSize, title_room);
+  const Text text{Layer::Print, {left, baseline}, title, kTitleSize, FontWeight::SemiBold, kInk};
+  add_text(sheet, text, kLeft);
+  if (words_.author.empty()) return;
+  const double at = left + word_width(text) + kTitleGap;
+  add_text(sheet,
+           {Layer::Print,
+            {at, baseline},
+            fitted(regular_, words_.author, kPageSize, right - 5 - at),
+            kPageSize,
+            FontWeight::Regular,
+            kQuietInk},
+           kLeft);
+}
+
+void MarginArtist::draw_header(Sheet& sheet, const PageView& view, const MarginNotes& notes) const {
   const PageLayout::Page& page = view.page;
   const Box2 box = layout_.frame.header;
   const double title_y = box.min.y + kTitleBaseline;
@@ -108,8 +132,7 @@ void MarginArtist::draw_header(Sheet& sheet, const PageView& view) const {
     title_right -= 3 + word_width(tag);
     add_text(sheet, tag, kRight);
   }
-  const std::string title = fitted(semi_bold_, words_.title, kTitleSize, title_right - box.min.x - 5);
-  add_text(sheet, {Layer::Print, {box.min.x, title_y}, title, kTitleSize, FontWeight::SemiBold, kInk}, kLeft);
+  draw_title(sheet, title_right, title_y);
 
   const bool is_narrow = box.max.y - box.min.y > kHeaderHeight;
   const double proof_width = regular_.width(words_.proof, kSmallSize) + (words_.is_proved ? 4.2 : 0);
@@ -118,9 +141,13 @@ void MarginArtist::draw_header(Sheet& sheet, const PageView& view) const {
   else
     draw_proof(sheet, right, small_y);
   const double room = right - box.min.x - (is_narrow ? 0 : proof_width + 4);
-  const bool has_room_for_all = regular_.width(words_.figures, kSmallSize) <= room;
+  // What the legend has no room for comes first; then the user's words, which nothing else repeats.
+  std::string first = has_one_row() || notes.is_usual ? "" : notes.side;
+  if (!notes.words.empty()) first += (first.empty() ? "" : "  ·  ") + clean_utf8(notes.words);
+  const std::string before = first.empty() ? "" : first + "  ·  ";
+  const bool has_room_for_all = regular_.width(before + words_.figures, kSmallSize) <= room;
   const std::string figures =
-      fitted(regular_, has_room_for_all ? words_.figures : words_.scale, kSmallSize, room);
+      fitted(regular_, before + (has_room_for_all ? words_.figures : words_.scale), kSmallSize, room);
   add_text(sheet, {Layer::Print, {box.min.x, small_y}, figures, kSmallSize, FontWeight::Regular, kQuietInk},
            kLeft);
   sheet.strokes.push_back(hairline({box.min.x, box.max.y}, box.max));
@@ -168,13 +195,17 @@ double MarginArtist::draw_map(Sheet& sheet, const PageView& view, double right) 
   return corner.x;
 }
 
-void MarginArtist::draw_footer(Sheet& sheet, const std::string& side) const {
+bool MarginArtist::has_one_row() const {
+  return layout_.frame.footer.size().y < kFooterHeight + 1 && layout_.frame.side.is_empty();
+}
+
+void MarginArtist::draw_footer(Sheet& sheet, const MarginNotes& notes) const {
   const PageFrame& frame = layout_.frame;
   const Box2 box = frame.footer;
   const double width = box.max.x - box.min.x;
   sheet.strokes.push_back(hairline(box.min, {box.max.x, box.min.y}));
-  const bool is_one_row = box.max.y - box.min.y < kFooterHeight + 1 && frame.side.is_empty();
-  draw_legend(sheet, !is_one_row, side);
+  const bool is_one_row = has_one_row();
+  draw_legend(sheet, !is_one_row, notes);
 
   const std::string note = "Print at 100 %, not “fit to page”: then this ruler is true.";
   const Text text{Layer::Print, {0, 0}, note, 2.3, FontWeight::Regular, kQuietInk};
@@ -183,6 +214,7 @@ void MarginArtist::draw_footer(Sheet& sheet, const std::string& side) const {
     low.at = {box.min.x, box.max.y - 0.7};
     low.words = fitted(regular_, note, low.size_mm, width);
     add_text(sheet, low, kLeft);
+    if (notes.is_back) return;
     const double height = frame.side.max.y - frame.side.min.y;
     const double length = height >= kRulerLength + 2 ? kRulerLength : kRulerLength / 2;
     draw_ruler(sheet, {frame.side.min.x, frame.side.min.y + (height + length) / 2}, true, length, regular_);
@@ -197,7 +229,8 @@ void MarginArtist::draw_footer(Sheet& sheet, const std::string& side) const {
 }
 
 /// Real samples of the kinds of line: over their names where the ruler stands beside them, else before them.
-void MarginArtist::draw_legend(Sheet& sheet, bool is_stacked, const std::string& side) const {
+/// Returns where the row ends.
+double MarginArtist::draw_samples(Sheet& sheet, bool is_stacked) const {
   struct Entry {
     Layer layer;
     const char* name;
@@ -223,10 +256,21 @@ void MarginArtist::draw_legend(Sheet& sheet, bool is_stacked, const std::string&
     add_text(sheet, name, kLeft);
     from.x += is_stacked ? sample + 1.5 + word_width(name) + kLegendGap : column;
   }
-  Text note{Layer::Print, corner + glm::dvec2(0, 3.9), side, 2.3, FontWeight::Regular, kQuietInk};
-  if (!is_stacked) return add_text(sheet, note, kLeft);
-  if (word_width(note) > corner.x + width - from.x - 2) return;
-  note.at = corner + glm::dvec2(width, 4.85);
+  return from.x;
+}
+
+/// Samples, and which side of the paper this is, where both have room.
+void MarginArtist::draw_legend(Sheet& sheet, bool is_stacked, const MarginNotes& notes) const {
+  const glm::dvec2 corner = layout_.frame.footer.min;
+  const double right = layout_.frame.footer.max.x;
+  const double end = notes.has_legend ? draw_samples(sheet, is_stacked) : corner.x;
+  Text note{Layer::Print, corner + glm::dvec2(0, 3.9), notes.side, 2.3, FontWeight::Regular, kQuietInk};
+  if (!is_stacked) {
+    note.words = fitted(regular_, note.words, note.size_mm, right - kRulerLength - 6 - corner.x);
+    return add_text(sheet, note, kLeft);
+  }
+  if (word_width(note) > right - end - 2) return;
+  note.at = {right, corner.y + 4.85};
   add_text(sheet, note, kRight);
 }
 

@@ -96,6 +96,10 @@ Stroke net_stroke(const LineStyles& styles, Layer layer, glm::dvec2 from, glm::d
 
 namespace {
 
+Layer seen_from_behind(Layer layer) {
+  return layer == Layer::Mountain ? Layer::Valley : layer == Layer::Valley ? Layer::Mountain : layer;
+}
+
 /// What is printed of a fold: all of it, or a mark at either end.
 std::vector<NetLines::Fold> inked_parts(const NetLines::Fold& fold, const LineStyles& styles) {
   const double length = glm::length(fold.to - fold.from);
@@ -122,11 +126,15 @@ void draw_fold(Sheet& sheet, const NetLines::Fold& fold, const PageView& view, c
 
 }  // namespace
 
-void draw_net(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles) {
-  for (const NetLines::Fold& fold : lines.folds) {
+void draw_folds(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles) {
+  for (NetLines::Fold fold : lines.folds) {
     if (fold.canvas != view.page.canvas) continue;
+    if (view.is_mirrored) fold.layer = seen_from_behind(fold.layer);
     for (const NetLines::Fold& part : inked_parts(fold, styles)) draw_fold(sheet, part, view, styles);
   }
+}
+
+void draw_cuts(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles) {
   for (const NetLines::Outline& outline : lines.outlines) {
     if (outline.canvas != view.page.canvas) continue;
     ClippedLine clipped = clip_polyline(view.window(), outline.points, true);

@@ -1,104 +1,132 @@
-// Puts the sheets together: per page the net's lines, the marks of a tile, the title block, legend and ruler,
-// and on the first page a test square where there is room.
+// Puts the sheets together: per page one side or two, and on each the pictures, the net's lines, labels, the
+// marks of a tile, title block, legend and ruler; on the first page what finds room beside the net.
 #include "core/sheet/sheet.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/sheet/draw.h"
-#include "core/sheet/outline.h"
+#include "core/sheet/free_spots.h"
 #include "core/sheet/piece_pictures.h"
-#include "core/sheet/print_style.h"
 
 namespace netwright {
 
 namespace {
 
-using namespace print_style;
+/// What one side of the paper shows. Lines are cut and folds; the cut alone where there are no folds.
+struct Side {
+  bool is_back = false;
+  bool is_mirrored = false;
+  bool has_pictures = false;
+  bool has_cuts = true;
+  bool has_folds = true;
+  bool has_labels = true;
+  bool is_usual = false;  ///< the outside, and nothing on the back
+  std::string sentence;
+};
 
-/// Outlines of a canvas as segments on the page.
-std::vector<Segment> outline_on_page(const NetLines& lines, const PageView& view) {
-  std::vector<Segment> segments;
-  for (const NetLines::Outline& outline : lines.outlines) {
-    if (outline.canvas != view.page.canvas) continue;
-    for (std::size_t i = 0; i < outline.points.size(); ++i)
-      segments.emplace_back(view.at(outline.points[i]),
-                            view.at(outline.points[(i + 1) % outline.points.size()]));
+std::vector<Side> sides_of(const SheetSettings& settings, const PageLayout& layout, bool has_labels) {
+  const std::string flip = layout.frame.is_landscape() ? "short edge." : "long edge.";
+  const std::string turned = ", turned like the page of a book.";
+  if (settings.printed_side == PrintedSide::Both)
+    return {{false, false, true, true, false, false, false, "The outside. Two-sided, flipped on the " + flip},
+            {true, true, false, true, true, true, false, "The inside" + turned}};
+  const bool is_inside = settings.printed_side == PrintedSide::Inside;
+  const bool is_split = has_labels && settings.labels.on_reverse;
+  Side front{false, is_inside, !is_inside, true, true, !is_split, !is_inside && !is_split, ""};
+  front.sentence = is_inside ? "The printed side is the inside, so it is drawn mirrored."
+                             : "The printed side is the outside.";
+  if (!is_split) return {front};
+  front.sentence = std::string(is_inside ? "The inside, mirrored." : "The outside.") +
+                   " Two-sided, flipped on the " + flip;
+  return {front,
+          {true, !is_inside, false, false, false, true, false,
+           std::string(is_inside ? "The outside" : "The inside") + turned}};
+}
+
+/// Where a side shows the net. A back page is the front turned over its upright edge.
+PageView view_of(const PageLayout& layout, const PageLayout::Page& page, const Side& side) {
+  Box2 frame = layout.frame.net;
+  if (side.is_back)
+    frame = {{layout.frame.width_mm - frame.max.x, frame.min.y},
+             {layout.frame.width_mm - frame.min.x, frame.max.y}};
+  return {layout, page, side.is_mirrored, frame};
+}
+
+/// In print shops' weights, so that colours keep their brightness.
+void grey(glm::dvec3& colour) { colour = glm::dvec3(glm::dot(colour, glm::dvec3(0.2126, 0.7152, 0.0722))); }
+
+void make_grey(Sheet& sheet) {
+  for (Fill& fill : sheet.fills) grey(fill.colour);
+  for (Stroke& stroke : sheet.strokes) grey(stroke.colour);
+  for (Text& text : sheet.texts) grey(text.colour);
+}
+
+/// The parts that all pages share.
+class SheetArtist {
+ public:
+  SheetArtist(const Net& net, const PageLayout& layout, const SheetInfo& info, const SheetSettings& settings)
+      : layout_(layout),
+        settings_(settings),
+        lines_(net_lines(net, layout, settings)),
+        pictures_(net, layout, settings),
+        labels_(place_labels(net, layout, settings)),
+        margin_(layout, title_words(net, layout, info, settings.words, labels_.left_out.size()),
+                settings.lines) {}
+
+  [[nodiscard]] std::vector<Side> sides() const {
+    return sides_of(settings_, layout_, !labels_.labels.empty());
   }
-  return segments;
-}
 
-/// Corners first, then along the sides: out of the way of the net, and of one that is cut out.
-std::vector<glm::dvec2> square_corners(const Box2& frame) {
-  const glm::dvec2 room = frame.size() - kSquare;
-  std::vector<glm::dvec2> corners;
-  for (int k = 0; k <= 12; ++k) {
-    const double share = k / 12.0;
-    for (const glm::dvec2 at : {glm::dvec2(1, 1 - share), glm::dvec2(0, 1 - share), glm::dvec2(1 - share, 1),
-                                glm::dvec2(1 - share, 0)})
-      corners.push_back(frame.min + room * at);
+  void draw(Sheet& sheet, const PageView& view, const Side& side) {
+    const bool is_tile = layout_.canvases[static_cast<std::size_t>(view.page.canvas)].is_tiled();
+    MarginNotes notes{side.sentence, side.is_usual, side.is_back, side.has_folds, ""};
+    if (sheet.number == 1) notes.words = draw_beside_net(sheet, view, is_tile);
+    if (is_tile) draw_tile_marks(sheet, view, margin_.font());
+    if (side.has_pictures) pictures_.draw(sheet, view);
+    if (side.has_folds) draw_folds(sheet, lines_, view, settings_.lines);
+    if (side.has_cuts) draw_cuts(sheet, lines_, view, settings_.lines);
+    if (side.has_labels) draw_labels(sheet, labels_, view);
+    margin_.draw(sheet, view, notes);
+    if (settings_.is_grey) make_grey(sheet);
   }
-  return corners;
-}
 
-bool is_free(const Box2& box, const std::vector<Segment>& outline) {
-  if (std::any_of(outline.begin(), outline.end(),
-                  [&](const Segment& s) { return clip_segment(box, s.first, s.second).has_value(); }))
-    return false;
-  return winding_number(outline, box.centre()) == 0;
-}
+ private:
+  /// Returns the note when it has to go elsewhere.
+  std::string draw_beside_net(Sheet& sheet, const PageView& view, bool is_tile) {
+    if (is_tile) return settings_.words.note;
+    FreeSpots spots(lines_, view);
+    const bool has_note = draw_own_words(sheet, spots, settings_.words, margin_.font());
+    draw_test_square(sheet, spots);
+    return has_note ? "" : settings_.words.note;
+  }
+
+  const PageLayout& layout_;
+  const SheetSettings& settings_;
+  NetLines lines_;
+  PictureArtist pictures_;
+  PlacedLabels labels_;
+  MarginArtist margin_;
+};
 
 }  // namespace
 
-void draw_test_square(Sheet& sheet, const NetLines& lines, const PageView& view) {
-  constexpr double kDistance = 4;
-  const Box2 frame = view.frame;
-  if (frame.size().x < kSquare || frame.size().y < kSquare) return;
-  const std::vector<Segment> outline = outline_on_page(lines, view);
-  for (const glm::dvec2 low : square_corners(frame)) {
-    const glm::dvec2 high = low + kSquare;
-    if (!is_free({low - kDistance, high + kDistance}, outline)) continue;
-    sheet.strokes.push_back({Layer::Print,
-                             {low, {high.x, low.y}, high, {low.x, high.y}},
-                             true,
-                             kHairlineWidth,
-                             kQuietInk,
-                             {},
-                             0});
-    sheet.texts.push_back({Layer::Print,
-                           {low.x + 2, high.y - 2},
-                           "50 mm × 50 mm, to check the print",
-                           2.3,
-                           FontWeight::Regular,
-                           kQuietInk});
-    return;
-  }
-}
-
 std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info,
                                const SheetSettings& settings) {
-  const NetLines lines = net_lines(net, layout, settings);
-  const PictureArtist pictures(net, layout, settings);
-  const PlacedLabels labels = place_labels(net, layout, settings);
-  const MarginArtist margin(layout, title_words(net, layout, info, labels.left_out.size()), settings.lines);
+  SheetArtist artist(net, layout, info, settings);
+  const std::vector<Side> sides = artist.sides();
   std::vector<Sheet> sheets;
-  for (const PageLayout::Page& page : layout.pages) {
-    Sheet sheet;
-    sheet.width_mm = layout.frame.width_mm;
-    sheet.height_mm = layout.frame.height_mm;
-    sheet.number = static_cast<int>(sheets.size()) + 1;
-    sheet.count = static_cast<int>(layout.pages.size());
-    sheet.tag = page.tag;
-    const bool is_tile = layout.canvases[static_cast<std::size_t>(page.canvas)].is_tiled();
-    const PageView view{layout, page, false, layout.frame.net};
-    if (sheets.empty() && !is_tile) draw_test_square(sheet, lines, view);
-    if (is_tile) draw_tile_marks(sheet, view, margin.font());
-    pictures.draw(sheet, view);
-    draw_net(sheet, lines, view, settings.lines);
-    draw_labels(sheet, labels, view);
-    margin.draw(sheet, view, "The printed side is the outside.");
-    sheets.push_back(std::move(sheet));
-  }
+  for (const PageLayout::Page& page : layout.pages)
+    for (const Side& side : sides) {
+      Sheet sheet;
+      sheet.width_mm = layout.frame.width_mm;
+      sheet.height_mm = layout.frame.height_mm;
+      sheet.number = static_cast<int>(sheets.size()) + 1;
+      sheet.count = static_cast<int>(layout.pages.size() * sides.size());
+      sheet.tag = page.tag;
+      sheet.is_back = side.is_back;
+      artist.draw(sheet, view_of(layout, page, side), side);
+      sheets.push_back(std::move(sheet));
+    }
   return sheets;
 }
 
