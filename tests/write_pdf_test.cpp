@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/sheet/print_preferences.h"
 #include "core/sheet/write.h"
 #include "tests/sheet_support.h"
 
@@ -160,6 +161,16 @@ TEST_F(WritePdf, AsksPrintersToTurnTheSheetOverWhenThereAreBackPages) {
   EXPECT_NE(root_of().find("/Duplex /DuplexFlipLongEdge"), std::string::npos);
 }
 
+TEST(PrintPreferences, RefuseADamagedFile) {
+  try {
+    with_print_preferences("%PDF-1.5 and no more", false);
+    ADD_FAILURE() << "nothing was refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Write);
+    EXPECT_NE(std::string(error.what()).find("cannot be finished"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(WritePdf, GivesTheSameBytesEachTime) {
   write(shapes::icosphere(2), {});
   const std::string first = read_file(pdf_, 10'000'000);
@@ -219,6 +230,28 @@ TEST(WritePng, HasTheSizeAndTheResolutionOfThePage) {
   write_file(folder / "net.png", png);
   const std::string seen = output_of({"identify", "-format", "%w %h %x %U", (folder / "net.png").string()});
   EXPECT_EQ(seen.rfind("2480 3508 118.1", 0), 0U) << seen;
+}
+
+TEST(WritePng, HasAsManyDotsPerInchAsAskedFor) {
+  const Net net = net_of(shapes::cube());
+  const TemporaryFolder folder;
+  const PageLayout layout = arrange(net, {"A4", Orientation::Portrait, 10}, {});
+  for (const auto& [asked, width] : {std::pair(72, 595), {150, 1240}, {20, 595}}) {
+    const auto files = write_drawing(folder / "net.png", net, layout, {}, {}, {.png_dpi = asked});
+    EXPECT_EQ(image_size(read_file(files[0], 10'000'000)).width, width) << asked;
+  }
+}
+
+TEST(WritePng, RefusesMorePixelsThanMemoryHolds) {
+  const Net net = net_of(shapes::cube());
+  const TemporaryFolder folder;
+  const PageLayout layout = arrange(net, {"A0", Orientation::Portrait, 10}, {});
+  try {
+    write_drawing(folder / "net.png", net, layout, {}, {}, {.png_dpi = 600});
+    ADD_FAILURE() << "nothing was refused";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("19866 x 28087 pixels"), std::string::npos) << error.what();
+  }
 }
 
 TEST(WritePng, NumbersItsPagesWhenThereAreSeveral) {

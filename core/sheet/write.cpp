@@ -10,6 +10,7 @@
 #include "core/sheet/fold_file.h"
 #include "core/sheet/instructions.h"
 #include "core/sheet/net_obj.h"
+#include "core/sheet/number_text.h"
 
 namespace netwright {
 
@@ -43,6 +44,19 @@ std::vector<path> write_pages(const path& file, std::span<const Sheet> sheets, b
     write_file(written.back(), to_bytes(sheets.subspan(i, per_file)));
   }
   return written;
+}
+
+/// 400 million pixels take 1.6 GB.
+void refuse_huge_picture(std::span<const Sheet> sheets, int dpi) {
+  constexpr double kMostPixels = 4e8;
+  for (const Sheet& sheet : sheets) {
+    const double width = sheet.width_mm / 25.4 * dpi;
+    const double height = sheet.height_mm / 25.4 * dpi;
+    if (width * height > kMostPixels)
+      throw Error(ErrorKind::Usage, "A picture of this paper at " + std::to_string(dpi) + " dpi has " +
+                                        decimal_number(width, 0) + " x " + decimal_number(height, 0) +
+                                        " pixels, which is too many; choose fewer dots per inch, or PDF.");
+  }
 }
 
 }  // namespace
@@ -96,6 +110,7 @@ std::vector<path> write_drawing(const path& file, const Net& net, const PageLayo
                        [&](Sheets some) { return dxf_bytes(some, exports); });
   if (extension == ".png") {
     const int dpi = std::clamp(exports.png_dpi, kLeastDpi, kMostDpi);
+    refuse_huge_picture(sheets, dpi);
     return write_pages(file, sheets, false, [&](Sheets some) { return png_bytes(some.front(), dpi); });
   }
   write_file(file, pdf_bytes(sheets, title));
