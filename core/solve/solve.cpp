@@ -8,6 +8,7 @@
 #include "core/base/predicates.h"
 #include "core/solve/portfolio.h"
 #include "core/solve/showing.h"
+#include "core/solve/tab_room.h"
 #include "core/unfold/obstruction.h"
 
 namespace netwright {
@@ -70,11 +71,26 @@ class SolveJob {
       if (options_.stays_near) portfolio.return_home();
       whole_.set(models_[c], portfolio.stream(portfolio.best()).best_folds());
     }
+    make_room_for_tabs();
     const double before = thread_cpu_seconds();
     result_.net = whole_.net();
     result_.overlaps = find_overlaps(result_.net, kShownDepth);
     result_.cpu_seconds += thread_cpu_seconds() - before;
     showing.finish(result_.net, result_.overlaps);
+  }
+
+  void make_room_for_tabs() {
+    if (!options_.tabs || !options_.tabs->settings.is_on || !is_claimed()) return;
+    const double scale = options_.tabs->scale(whole_.net());
+    result_.tabless_before = result_.tabless_after = 0;
+    for (std::size_t c = 0; c < models_.size(); ++c) {
+      const TabRoom room(*dual_, models_[c], scale, options_.tabs->settings);
+      const int looks = options_.tabs->looks_per_face * models_[c].n_faces;
+      const auto [before, after] = portfolios_[c]->refine(room, looks);
+      result_.tabless_before += static_cast<int>(before);
+      result_.tabless_after += static_cast<int>(after);
+      whole_.set(models_[c], portfolios_[c]->stream(portfolios_[c]->best()).best_folds());
+    }
   }
 
   [[nodiscard]] std::vector<char> folds_to_start_from(const SearchModel& model) const {

@@ -14,6 +14,7 @@
 #include "core/base/worker.h"
 #include "core/solve/constraints.h"
 #include "core/solve/snapshot.h"
+#include "core/unfold/glue_tabs.h"
 #include "core/unfold/verify.h"
 
 namespace netwright {
@@ -22,6 +23,15 @@ namespace netwright {
 enum class SearchStyle {
   Fast,   ///< greedy start, two-sided moves, bounded worsening (the default)
   Paper,  ///< as the paper has it: steepest-edge start, random roots, every worsening move taken
+};
+
+/// Glue tabs counted in the search: once there is a net, folds are exchanged until every cut has room for a
+/// tab on one side at least, or as many as can be.
+struct TabAim {
+  TabSettings settings;
+  /// mm per model unit at which a net would be printed: it may depend on the net.
+  std::function<double(const Net&)> scale;
+  int looks_per_face = 30;  ///< how long to try: nets judged, per face of the component
 };
 
 struct SolveOptions {
@@ -33,6 +43,7 @@ struct SolveOptions {
   /// The tree to start from instead of a new one, mended where it breaks pins; may be any forest.
   std::shared_ptr<const UnfoldTree> from{};
   bool stays_near = false;          ///< change as little of `from` as overlaps and pins allow
+  std::optional<TabAim> tabs{};     ///< what else a net should have; decides the answer
   std::int64_t max_iterations = 0;  ///< per stream, 0 = no limit; decides the answer, unlike a time limit
 };
 
@@ -65,6 +76,8 @@ struct SolveResult {
                          ///< search is made
   VerifyReport proof;
   std::vector<Overlap> overlaps;  ///< what is left, deeper than kShownDepth
+  int tabless_before = 0;         ///< with a TabAim: cuts without room for a tab in the first net,
+  int tabless_after = 0;          ///< and in this one
   int stream = 0;                 ///< which one found it
   std::int64_t iterations = 0;    ///< of the stream that found it
   std::int64_t moves = 0;

@@ -70,6 +70,13 @@ class ShapeMaker {
     }
   }
 
+  /// Is there one of kLeastTabWidth?
+  [[nodiscard]] bool has_narrowest() const {
+    std::vector<TabShape> shapes;
+    add_shape(kLeastTabWidth, {1, 1}, true, shapes);
+    return !shapes.empty();
+  }
+
  private:
   /// What of a segment is level with a tab of this height.
   [[nodiscard]] bool obstacle_of(const LocalSegment& segment, double width, Obstacle& obstacle) const {
@@ -202,26 +209,45 @@ std::vector<int> SideGrid::near(const Box2& box) const {
   return found;
 }
 
+namespace {
+
+/// All that stands near the side.
+ShapeMaker with_obstacles(const SideGrid& sides, const SideGrid::Side& side, const Frame& frame,
+                          const TabWish& wish, double width) {
+  Box2 reach;
+  for (const double y : {-kTabGap, width + kTabGap}) {
+    reach.add(frame.world(-kTabGap, y));
+    reach.add(frame.world(frame.length + kTabGap, y));
+  }
+  ShapeMaker maker(frame, wish);
+  for (const int i : sides.near(reach))
+    if (sides.side(i).h != side.h) maker.add_obstacle(sides.side(i).from, sides.side(i).to);
+  return maker;
+}
+
+bool is_long_enough(const Frame& frame) { return frame.length >= 2 * kLeastTabWidth * (1 - 1e-9); }
+
+}  // namespace
+
 std::vector<TabShape> tab_shapes(const SideGrid& sides, const SideGrid::Side& side, const TabWish& wish,
                                  std::span<const glm::dvec2> partner) {
   const Frame frame(side);
   std::vector<TabShape> shapes;
-  if (!(frame.length >= 2 * kLeastTabWidth * (1 - 1e-9))) return shapes;
-  Box2 reach;
-  const double width = std::min(wish.width_mm, frame.length / 2) + kTabGap;
-  for (const double y : {0.0, width}) {
-    reach.add(frame.world(-kTabGap, y));
-    reach.add(frame.world(frame.length + kTabGap, y));
-  }
-  ShapeMaker anywhere(frame, wish);
-  for (const int i : sides.near(reach))
-    if (sides.side(i).h != side.h) anywhere.add_obstacle(sides.side(i).from, sides.side(i).to);
+  if (!is_long_enough(frame)) return shapes;
+  const ShapeMaker anywhere =
+      with_obstacles(sides, side, frame, wish, std::min(wish.width_mm, frame.length / 2));
   ShapeMaker inside = anywhere;
   for (std::size_t k = 1; k < partner.size(); ++k)
     inside.add_obstacle(partner[k], partner[(k + 1) % partner.size()]);
   inside.make(true, shapes);
   if (shapes.empty() && !partner.empty()) anywhere.make(false, shapes);
   return shapes;
+}
+
+bool has_room_for_tab(const SideGrid& sides, const SideGrid::Side& side, const TabWish& wish) {
+  const Frame frame(side);
+  if (!is_long_enough(frame)) return false;
+  return with_obstacles(sides, side, frame, wish, kLeastTabWidth).has_narrowest();
 }
 
 bool tabs_collide(const TabShape& a, const TabShape& b) {

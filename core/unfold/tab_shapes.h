@@ -60,6 +60,9 @@ class SideGrid {
 std::vector<TabShape> tab_shapes(const SideGrid& sides, const SideGrid::Side& side, const TabWish& wish,
                                  std::span<const glm::dvec2> partner);
 
+/// Would tab_shapes() find any shape, wherever it lands?
+bool has_room_for_tab(const SideGrid& sides, const SideGrid::Side& side, const TabWish& wish);
+
 /// Do two tabs cover each other, or come nearer than kTabGap without growing from one corner?
 bool tabs_collide(const TabShape& a, const TabShape& b);
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include "core/base/cpu_time.h"
@@ -21,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Figures {
+  int n_runs = 0;
+  std::vector<double> seconds;
   int n_models = 0;
   int n_cuts = 0;
   int n_with_room = 0;
@@ -69,12 +72,16 @@ void measure(const Net& net, double height_mm, Figures& figures) {
   }
 }
 
-void run(const fs::path& path, double height_mm, Figures& figures) {
+void run(const fs::path& path, double height_mm, bool with_aim, Figures& figures) {
   try {
     Progress progress;
     const auto soup = std::make_shared<const PolygonSoup>(read_soup(path));
     const std::shared_ptr<const DualGraph> dual = make_model(soup, {}, nullptr, progress).dual;
-    const SolveResult result = solve(dual, {.seed = 0, .streams = 1, .threads = 1}, progress);
+    SolveOptions options{.seed = 0, .streams = 1, .threads = 1};
+    if (with_aim) options.tabs = TabAim{{}, [&](const Net& net) { return height_mm / net.mesh().height(); }};
+    const SolveResult result = solve(dual, options, progress);
+    ++figures.n_runs;
+    figures.seconds.push_back(result.cpu_seconds);
     if (result.is_proved) measure(result.net, height_mm, figures);
   } catch (const Error& error) {
     std::fprintf(stderr, "%s: %s\n", path.c_str(), error.what());
@@ -91,10 +98,12 @@ std::vector<fs::path> models_in(const fs::path& path) {
   return models;
 }
 
-void print(const char* name, Figures& figures) {
+void print(Figures& figures) {
   const auto share = [](double part, double whole) { return whole > 0 ? 100 * part / whole : 0; };
-  std::printf("%-30s %4d models %6d cuts, %6d with room, of these %6.2f %% get a tab\n", name,
-              figures.n_models, figures.n_cuts, figures.n_with_room,
+  std::printf("  %d of %d proved, search median %.2f ms, mean %.2f ms CPU\n", figures.n_models,
+              figures.n_runs, 1000 * median(figures.seconds),
+              1000 * std::accumulate(figures.seconds.begin(), figures.seconds.end(), 0.0) / figures.n_runs);
+  std::printf("  %d cuts, %d with room, of these %.2f %% get a tab\n", figures.n_cuts, figures.n_with_room,
               share(figures.n_tabbed_with_room, figures.n_with_room));
   std::printf("  missing %d (%.2f %% of cuts, %d hopeless), landing inside %.2f %%, median width %.2f mm\n",
               figures.n_missing, share(figures.n_missing, figures.n_cuts), figures.n_hopeless,
@@ -114,10 +123,14 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (int i = 2; i < argc; ++i) {
-    Figures figures;
-    for (const std::filesystem::path& model : models_in(argv[i])) run(model, std::atof(argv[1]), figures);
-    print(argv[i], figures);
-    std::fflush(stdout);
+    for (const bool with_aim : {false, true}) {
+      Figures figures;
+      for (const std::filesystem::path& model : models_in(argv[i]))
+        run(model, std::atof(argv[1]), with_aim, figures);
+      std::printf("%s%s\n", argv[i], with_aim ? ", tabs counted in the search" : "");
+      print(figures);
+      std::fflush(stdout);
+    }
   }
   return 0;
 }
