@@ -6,6 +6,7 @@
 
 #include "core/project/commands.h"
 #include "core/project/session_impl.h"
+#include "core/project/tab_aim.h"
 
 namespace netwright {
 
@@ -52,6 +53,7 @@ void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const Unfo
   options.pins = stays_near ? pins_with_edits(project()) : project().pins;
   options.from = std::move(from);
   options.stays_near = stays_near;
+  options.tabs = tab_aim(project().paper, project().size, project().tabs);
   is_timed_out = false;
   step_of_run.reset();
   leave_view();

@@ -179,6 +179,7 @@ Json tabs_json(const TabSettings& tabs, const Mesh& mesh) {
   json.set("pattern", word(kTabPatterns, tabs.pattern));
   json.set("width_mm", tabs.width_mm);
   json.set("angle_rad", tabs.angle_rad);
+  if (tabs.in_search) json.set("in_search", true);
   json.set("on_borders", tabs.on_borders);
   Json edits{Json::Array{}};
   for (const TabEdit& edit : tabs.edits) edits.add(edit_json(edit, mesh));
@@ -193,6 +194,7 @@ TabSettings read_tabs(const Json* json, const std::string& file, const Mesh& mes
   tabs.pattern = chosen(fields, "pattern", kTabPatterns, tabs.pattern);
   tabs.width_mm = fields.number("width_mm", 0, kMostTabWidth, tabs.width_mm);
   tabs.angle_rad = fields.number("angle_rad", 0, kUpright, tabs.angle_rad);
+  tabs.in_search = fields.flag("in_search", tabs.in_search);
   tabs.on_borders = fields.flag("on_borders", tabs.on_borders);
   if (const Json::Array* const edits = fields.array("edits"))
     for (const Json& edit : *edits) tabs.edits.push_back(read_edit(edit, file, mesh));

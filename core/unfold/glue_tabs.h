@@ -35,6 +35,7 @@ struct TabSettings {
   Pattern pattern = Pattern::BestSide;
   double width_mm = 5;
   double angle_rad = 0.78539816339744831;  ///< between the tab's slanted ends and the edge
+  bool in_search = false;                  ///< the search exchanges folds until every cut has room for a tab
   bool on_borders = false;                 ///< also where the model is open and nothing is glued
   std::vector<TabEdit> edits = {};         ///< sorted by edge, one for each at most
   bool operator==(const TabSettings&) const = default;
