@@ -128,6 +128,11 @@ TEST(InstructionSheet, GoesBeforeOrBehindTheSheetsAndNotIntoFilesForMachines) {
   EXPECT_NE(words_of(InstructionPage::First, "1").find("How to build Box"), std::string::npos);
   EXPECT_NE(words_of(InstructionPage::First, "2").find("page 1 of 1"), std::string::npos);
   EXPECT_NE(words_of(InstructionPage::Last, "2").find("How to build Box"), std::string::npos);
+  SheetSettings two_sided;
+  two_sided.printed_side = PrintedSide::Both;
+  write_drawing(pdf, cube.net, cube.layout, {}, two_sided, {.instructions = InstructionPage::First});
+  EXPECT_NE(output_of({"pdfinfo", pdf}).find("Pages:           4\n"), std::string::npos)
+      << "the instructions have an empty back";
   const ExportSettings last{.instructions = InstructionPage::Last};
   EXPECT_EQ(write_drawing(folder / "net.dxf", cube.net, cube.layout, {}, {}, last).size(), 1U);
   EXPECT_EQ(write_drawing(folder / "net.svg", cube.net, cube.layout, {}, {}, last).size(), 2U);

@@ -159,11 +159,13 @@ TEST_F(WritePdf, AsksPrintersToTurnTheSheetOverWhenThereAreBackPages) {
   EXPECT_EQ(root_of().find("/Duplex"), std::string::npos);
   sheets[1].is_back = true;
   EXPECT_NE(root_of().find("/Duplex /DuplexFlipLongEdge"), std::string::npos);
+  std::swap(sheets[1].width_mm, sheets[1].height_mm);
+  EXPECT_NE(root_of().find("/Duplex /DuplexFlipShortEdge"), std::string::npos);
 }
 
 TEST(PrintPreferences, RefuseADamagedFile) {
   try {
-    with_print_preferences("%PDF-1.5 and no more", false);
+    with_print_preferences("%PDF-1.5 and no more", Duplex::None);
     ADD_FAILURE() << "nothing was refused";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::Write);

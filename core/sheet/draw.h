@@ -110,4 +110,7 @@ class MarginArtist {
 /// A 100 mm ruler (50 mm where less room is left) with labels, from its zero mark, to the right or upwards.
 void draw_ruler(Sheet& sheet, glm::dvec2 zero, bool is_upright, double length_mm, const Font& font);
 
+/// Everything but pictures in shades of grey.
+void make_grey(Sheet& sheet);
+
 }  // namespace netwright

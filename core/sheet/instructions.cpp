@@ -52,7 +52,7 @@ class Artist {
       : net_(net),
         layout_(layout),
         figures_(build_figures(net, layout, settings)),
-        title_(title_words(net, layout, info).title) {
+        title_(title_words(net, layout, info, settings.words).title) {
     sheet_.width_mm = layout.frame.width_mm;
     sheet_.height_mm = layout.frame.height_mm;
     sheet_.number = 0;
@@ -147,7 +147,9 @@ class Artist {
 
 Sheet instruction_sheet(const Net& net, const PageLayout& layout, const SheetInfo& info,
                         const SheetSettings& settings) {
-  return Artist(net, layout, info, settings).draw();
+  Sheet sheet = Artist(net, layout, info, settings).draw();
+  if (settings.is_grey) make_grey(sheet);
+  return sheet;
 }
 
 }  // namespace netwright

@@ -25,16 +25,26 @@ void check(const File& file) {
                                     qpdf_get_error_full_text(file.get(), error) + ".");
 }
 
+const char* words_of(Duplex duplex) {
+  switch (duplex) {
+    case Duplex::FlipLongEdge:
+      return " /Duplex /DuplexFlipLongEdge";
+    case Duplex::FlipShortEdge:
+      return " /Duplex /DuplexFlipShortEdge";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
-std::string with_print_preferences(const std::string& pdf, bool is_double_sided) {
+std::string with_print_preferences(const std::string& pdf, Duplex duplex) {
   const File file(qpdf_init());
   qpdf_silence_errors(file.get());
   qpdf_set_suppress_warnings(file.get(), QPDF_TRUE);
   qpdf_read_memory(file.get(), "the drawing", pdf.data(), pdf.size(), nullptr);
   check(file);
-  const std::string duplex = is_double_sided ? " /Duplex /DuplexFlipLongEdge" : "";
-  const std::string preferences = "<< /PrintScaling /None" + duplex + " >>";
+  const std::string preferences = std::string("<< /PrintScaling /None") + words_of(duplex) + " >>";
   qpdf_oh_replace_key(file.get(), qpdf_get_root(file.get()), "/ViewerPreferences",
                       qpdf_oh_parse(file.get(), preferences.c_str()));
   check(file);

@@ -55,12 +55,6 @@ PageView view_of(const PageLayout& layout, const PageLayout::Page& page, const S
 /// In print shops' weights, so that colours keep their brightness.
 void grey(glm::dvec3& colour) { colour = glm::dvec3(glm::dot(colour, glm::dvec3(0.2126, 0.7152, 0.0722))); }
 
-void make_grey(Sheet& sheet) {
-  for (Fill& fill : sheet.fills) grey(fill.colour);
-  for (Stroke& stroke : sheet.strokes) grey(stroke.colour);
-  for (Text& text : sheet.texts) grey(text.colour);
-}
-
 /// The parts that all pages share.
 class SheetArtist {
  public:
@@ -109,6 +103,12 @@ class SheetArtist {
 };
 
 }  // namespace
+
+void make_grey(Sheet& sheet) {
+  for (Fill& fill : sheet.fills) grey(fill.colour);
+  for (Stroke& stroke : sheet.strokes) grey(stroke.colour);
+  for (Text& text : sheet.texts) grey(text.colour);
+}
 
 std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info,
                                const SheetSettings& settings) {

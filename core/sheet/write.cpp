@@ -59,6 +59,20 @@ void refuse_huge_picture(std::span<const Sheet> sheets, int dpi) {
   }
 }
 
+/// In front of two-sided sheets its own back stays empty, so that fronts stay on fronts.
+void add_instructions(std::vector<Sheet>& sheets, Sheet page, InstructionPage where) {
+  if (where == InstructionPage::Last) {
+    sheets.push_back(std::move(page));
+    return;
+  }
+  Sheet empty;
+  empty.width_mm = page.width_mm;
+  empty.height_mm = page.height_mm;
+  empty.is_back = true;
+  if (std::ranges::any_of(sheets, &Sheet::is_back)) sheets.insert(sheets.begin(), std::move(empty));
+  sheets.insert(sheets.begin(), std::move(page));
+}
+
 }  // namespace
 
 path page_path(const path& file, std::size_t index, std::size_t count) {
@@ -98,10 +112,8 @@ std::vector<path> write_drawing(const path& file, const Net& net, const PageLayo
   if (extension == ".obj") return write_net_obj(file, net, layout, settings, exports);
   std::vector<Sheet> sheets = draw_sheets(net, layout, info, settings);
   using Sheets = std::span<const Sheet>;
-  if (exports.instructions != InstructionPage::None && extension != ".dxf") {
-    const bool is_first = exports.instructions == InstructionPage::First;
-    sheets.insert(is_first ? sheets.begin() : sheets.end(), instruction_sheet(net, layout, info, settings));
-  }
+  if (exports.instructions != InstructionPage::None && extension != ".dxf")
+    add_instructions(sheets, instruction_sheet(net, layout, info, settings), exports.instructions);
   if (extension == ".svg")
     return write_pages(file, sheets, exports.is_one_file,
                        [&](Sheets some) { return svg_bytes(some, title, exports); });

@@ -221,6 +221,14 @@ int add_outline(std::vector<Font::Step>& steps, FT_Outline& outline, double scal
   return status;
 }
 
+/// Back pages are turned like the page of a book: over the long edge of upright paper, the short one of
+/// lying.
+Duplex duplex_of(std::span<const Sheet> sheets) {
+  const auto back = std::ranges::find(sheets, true, &Sheet::is_back);
+  if (back == sheets.end()) return Duplex::None;
+  return back->width_mm > back->height_mm ? Duplex::FlipShortEdge : Duplex::FlipLongEdge;
+}
+
 }  // namespace
 
 struct Font::Impl {
@@ -283,7 +291,7 @@ std::string pdf_bytes(std::span<const Sheet> sheets, const std::string& title) {
   }
   cairo_surface_finish(surface.get());
   check(cairo_surface_status(surface.get()));
-  return with_print_preferences(bytes, std::ranges::any_of(sheets, &Sheet::is_back));
+  return with_print_preferences(bytes, duplex_of(sheets));
 }
 
 std::string png_bytes(const Sheet& sheet, double dpi) {
