@@ -75,9 +75,26 @@ std::string stem_of(const Net& net, const SheetInfo& info) {
   return stem.empty() ? "net" : stem;
 }
 
-void write_checked(CutterPackage& package, const fs::path& path, const std::string& bytes) {
-  write_file(path, bytes);
-  package.files.push_back(path);
+struct NamedBytes {
+  std::string name;
+  std::string bytes;
+};
+
+/// The cut files of all sheets, checked.
+std::vector<NamedBytes> cut_files(const std::vector<CutterSheets>& sheets, const std::string& stem,
+                                  ExportSettings exports) {
+  exports.live_text = false;
+  exports.real_dashes = true;
+  std::vector<NamedBytes> files;
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    const Sheet& cut = sheets[i].cut;
+    std::string svg = svg_bytes(cut, stem, exports);
+    std::string dxf = dxf_bytes(std::span(&cut, 1), exports);
+    check_cut_files(cut, svg, dxf);
+    files.push_back({page_path(stem + "-cut.svg", i, sheets.size()).string(), std::move(svg)});
+    files.push_back({page_path(stem + "-cut.dxf", i, sheets.size()).string(), std::move(dxf)});
+  }
+  return files;
 }
 
 }  // namespace
@@ -86,10 +103,6 @@ CutterPackage write_cutter_package(const fs::path& folder, const Net& net, const
                                    const SheetInfo& info, const SheetSettings& settings,
                                    const ExportSettings& exports, CutterPreset preset) {
   refuse_tiles(layout);
-  ExportSettings machine = exports;
-  machine.is_one_file = false;
-  machine.live_text = false;
-  machine.real_dashes = true;
   const std::string stem = stem_of(net, info);
   std::vector<CutterSheets> sheets;
   std::vector<Sheet> prints;
@@ -99,20 +112,18 @@ CutterPackage write_cutter_package(const fs::path& folder, const Net& net, const
     refuse_covered_marks(sheets.back().cut);
     prints.push_back(sheets.back().print);
   }
+  // Everything is made and checked before the first file is written.
+  std::vector<NamedBytes> files = cut_files(sheets, stem, exports);
+  files.insert(files.begin(), {stem + "-print.pdf", pdf_bytes(prints, stem)});
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed)
     throw Error(ErrorKind::Write,
                 "The folder " + folder.string() + " cannot be made: " + failed.message() + ".");
   CutterPackage package;
-  write_checked(package, folder / (stem + "-print.pdf"), pdf_bytes(prints, stem));
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    const Sheet& cut = sheets[i].cut;
-    const std::string svg = svg_bytes(cut, stem, machine);
-    const std::string dxf = dxf_bytes(std::span(&cut, 1), machine);
-    check_cut_files(cut, svg, dxf);
-    write_checked(package, page_path(folder / (stem + "-cut.svg"), i, sheets.size()), svg);
-    write_checked(package, page_path(folder / (stem + "-cut.dxf"), i, sheets.size()), dxf);
+  for (const NamedBytes& file : files) {
+    package.files.push_back(folder / file.name);
+    write_file(package.files.back(), file.bytes);
   }
   package.notes = notes_on(sheets, preset);
   return package;
