@@ -212,6 +212,7 @@ Json sheet_json(const SheetSettings& sheet, const Mesh& mesh,
   json.set("labels", labels_json(sheet.labels));
   json.set("pictures", pictures_json(sheet.pictures));
   json.set("printed_side", word(kPrintedSides, sheet.printed_side));
+  json.set("loose_strips", sheet.loose_strips);
   json.set("grey", sheet.is_grey);
   json.set("title", sheet.words.title);
   json.set("author", sheet.words.author);
@@ -231,6 +232,7 @@ SheetSettings read_sheet(const Json* json, const std::string& file, const Mesh& 
   sheet.labels = read_labels(fields.object("labels"), file);
   sheet.pictures = read_pictures(fields.object("pictures"), file);
   sheet.printed_side = chosen(fields, "printed_side", kPrintedSides, sheet.printed_side);
+  sheet.loose_strips = fields.flag("loose_strips", sheet.loose_strips);
   sheet.is_grey = fields.flag("grey", sheet.is_grey);
   sheet.words.title = fields.text("title", "");
   sheet.words.author = fields.text("author", "");

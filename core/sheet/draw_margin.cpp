@@ -69,6 +69,8 @@ TitleWords title_words(const Net& net, const PageLayout& layout, const SheetInfo
     words.scale += ", model " + short_number(layout.model_height_mm) + " mm high";
   words.figures = words.scale + "  ·  " + counted(mesh.n_faces(), "face");
   if (info.seed) words.figures += "  ·  seed " + std::to_string(*info.seed);
+  if (!layout.tabs.missing.empty())
+    words.figures += "  ·  " + counted(layout.tabs.missing.size(), "cut") + " without tab";
   if (n_unnumbered > 0) words.figures += "  ·  " + counted(n_unnumbered, "short cut") + " unnumbered";
   const std::string pieces =
       net.n_pieces == 1 ? "one piece" : counted(static_cast<std::size_t>(net.n_pieces), "piece");

@@ -1,11 +1,12 @@
 // Puts the sheets together: per page one side or two, and on each the pictures, the net's lines, labels, the
-// marks of a tile, title block, legend and ruler; on the first page what finds room beside the net.
+// marks of a tile, title block, legend and ruler; beside the net what finds room there.
 #include "core/sheet/sheet.h"
 
 #include <algorithm>
 
 #include "core/sheet/draw.h"
 #include "core/sheet/free_spots.h"
+#include "core/sheet/loose_strips.h"
 #include "core/sheet/piece_pictures.h"
 
 namespace netwright {
@@ -64,6 +65,7 @@ class SheetArtist {
         lines_(net_lines(net, layout, settings)),
         pictures_(net, layout, settings),
         labels_(place_labels(net, layout, settings)),
+        strips_(loose_strips(net, layout, settings, labels_)),
         margin_(layout, title_words(net, layout, info, settings.words, labels_.left_out.size()),
                 settings.lines) {}
 
@@ -74,7 +76,11 @@ class SheetArtist {
   void draw(Sheet& sheet, const PageView& view, const Side& side) {
     const bool is_tile = layout_.canvases[static_cast<std::size_t>(view.page.canvas)].is_tiled();
     MarginNotes notes{side.sentence, side.is_usual, side.is_back, side.has_folds, ""};
-    if (sheet.number == 1) notes.words = draw_beside_net(sheet, view, is_tile);
+    if (!is_tile && !side.is_back) {
+      notes.words = draw_beside_net(sheet, view);
+    } else if (sheet.number == 1) {
+      notes.words = settings_.words.note;
+    }
     if (is_tile) draw_tile_marks(sheet, view, margin_.font());
     if (side.has_pictures) pictures_.draw(sheet, view);
     if (side.has_folds) draw_folds(sheet, lines_, view, settings_.lines);
@@ -86,11 +92,13 @@ class SheetArtist {
 
  private:
   /// Returns the note when it has to go elsewhere.
-  std::string draw_beside_net(Sheet& sheet, const PageView& view, bool is_tile) {
-    if (is_tile) return settings_.words.note;
+  std::string draw_beside_net(Sheet& sheet, const PageView& view) {
+    const bool is_first = sheet.number == 1;
+    if (!is_first && strips_.empty()) return "";
     FreeSpots spots(lines_, view);
-    const bool has_note = draw_own_words(sheet, spots, settings_.words, margin_.font());
-    draw_test_square(sheet, spots);
+    const bool has_note = !is_first || draw_own_words(sheet, spots, settings_.words, margin_.font());
+    draw_loose_strips(sheet, spots, settings_.lines, margin_.font(), strips_);
+    if (is_first) draw_test_square(sheet, spots);
     return has_note ? "" : settings_.words.note;
   }
 
@@ -99,6 +107,7 @@ class SheetArtist {
   NetLines lines_;
   PictureArtist pictures_;
   PlacedLabels labels_;
+  std::vector<LooseStrip> strips_;  ///< that have not found room yet
   MarginArtist margin_;
 };
 

@@ -82,7 +82,8 @@ struct SheetSettings {
   LabelSettings labels;
   PictureSettings pictures;
   PrintedSide printed_side = PrintedSide::Outside;
-  bool is_grey = false;  ///< everything in shades of grey
+  bool loose_strips = true;  ///< a strip of paper for each cut without a glue tab, where a sheet has room
+  bool is_grey = false;      ///< everything in shades of grey
   SheetWords words;
   std::vector<EdgeId> hidden_folds;  ///< left out by hand, sorted
   std::vector<EdgeId> shown_folds;   ///< drawn though they are flat, sorted
