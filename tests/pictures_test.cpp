@@ -199,6 +199,28 @@ TEST(Pictures, HaveTheResolutionThatIsAskedFor) {
   }
 }
 
+TEST(Pictures, AreMadeWhenAskedForWhereTheyWouldFillTheMemory) {
+  const Net net = net_of(red_cube());
+  SheetSettings settings;
+  settings.pictures.dpi = 300;
+  const PageLayout layout = arrange(net, {}, {PrintSize::Kind::Height, 300});
+  ASSERT_GT(layout.pages.size(), 6U);
+  double kept = 0;
+  int n_later = 0;
+  for (const Sheet& sheet : draw_sheets(net, layout, {}, settings))
+    for (const Picture& picture : sheet.pictures) {
+      if (picture.image) {
+        kept += static_cast<double>(picture.image->width) * picture.image->height;
+        EXPECT_TRUE(sheet.number > 1 || picture.later()->rgba == picture.image->rgba);
+      } else if (++n_later == 1) {
+        ASSERT_TRUE(picture.pixels());
+        EXPECT_NEAR(picture.pixels()->width / picture.size_mm.x, 300 / 25.4, 1e-9);
+      }
+    }
+  EXPECT_LE(kept, 60e6);
+  EXPECT_GT(n_later, 0);
+}
+
 TEST(Pictures, LieInThePngWhereTheirFacesAre) {
   const Printed p = print(red_cube());
   const Image page = decode_image(png_bytes(p.sheet, 100));

@@ -3,6 +3,7 @@
 #include "core/project/derived.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/predicates.h"
@@ -40,10 +41,16 @@ PageLayout pages_of(const Project& project, const Net& net) {
   return arrange(net, project.paper, project.size, project.tabs);
 }
 
-/// Sheets to look at: as many pixels as a screen shows. What is printed is drawn anew.
-SheetSettings for_the_screen(SheetSettings settings) {
-  constexpr int kScreenDpi = 110;
-  settings.pictures.dpi = std::min(settings.pictures.dpi, kScreenDpi);
+/// Sheets to look at: as many pixels as a screen shows, fewer where there are many sheets. What is printed
+/// is drawn anew.
+SheetSettings for_the_screen(SheetSettings settings, const PageLayout& layout) {
+  constexpr double kScreenDpi = 110;
+  constexpr double kMostPixels = 40e6;
+  constexpr double kMmPerInch = 25.4;
+  const double paper =
+      static_cast<double>(layout.pages.size()) * layout.frame.width_mm * layout.frame.height_mm;
+  const double dpi = std::min(kScreenDpi, kMmPerInch * std::sqrt(kMostPixels / std::max(paper, 1.0)));
+  settings.pictures.dpi = std::min(settings.pictures.dpi, static_cast<int>(dpi));
   return settings;
 }
 
@@ -64,8 +71,8 @@ void derive_sheets(Derived& derived, const Derived* before) {
     derived.pages = std::make_shared<const PageLayout>(pages_of(project, net));
     if (!project.placed.is_automatic()) derived.misplaced = find_misplaced(net, *derived.pages);
     if (derived.shown->is_proved && derived.misplaced.is_nothing())
-      derived.sheets = std::make_shared<const std::vector<Sheet>>(
-          draw_sheets(net, *derived.pages, sheet_info(project), for_the_screen(project.sheet)));
+      derived.sheets = std::make_shared<const std::vector<Sheet>>(draw_sheets(
+          net, *derived.pages, sheet_info(project), for_the_screen(project.sheet, *derived.pages)));
   } catch (const Error& error) {
     derived.pages = nullptr;
     derived.fault = error.what();

@@ -43,7 +43,7 @@ PictureArtist::PictureArtist(const Net& net, const PageLayout& layout, const She
       layout_(layout),
       settings_(settings.pictures),
       is_grey_(settings.is_grey),
-      paint_(net.mesh()),
+      paint_(net_.mesh()),
       has_pictures_(settings.pictures.is_on && !paint_.is_plain()),
       pixels_per_mm_(settings.pictures.dpi / kMmPerInch) {
   if (!has_pictures_) return;
@@ -58,7 +58,7 @@ PictureArtist::PictureArtist(const Net& net, const PageLayout& layout, const She
     for (const HalfedgeId h : mesh.halfedges(f)) polygon.push_back(net.corner(h));
     triangles_[f] = triangulate(polygon);
   }
-  for (const GlueTab& tab : layout.tabs.tabs)
+  for (const GlueTab& tab : layout_.tabs.tabs)
     tabs_[static_cast<std::size_t>(net.piece[mesh.face(tab.side)])].push_back(&tab);
 }
 
@@ -74,11 +74,12 @@ Box2 PictureArtist::reach(int piece) const {
   return box;
 }
 
-Image PictureArtist::paint(int piece, glm::dvec2 corner, int width, int height) const {
+std::shared_ptr<const Image> PictureArtist::paint(const Window& window) const {
   const Mesh& mesh = net_.mesh();
+  const int piece = window.piece;
   const auto p = static_cast<std::size_t>(piece);
-  const auto pixel = [&](glm::dvec2 on_canvas) { return (on_canvas - corner) * pixels_per_mm_; };
-  PictureCanvas canvas(width, height);
+  const auto pixel = [&](glm::dvec2 on_canvas) { return (on_canvas - window.corner) * pixels_per_mm_; };
+  PictureCanvas canvas(window.width, window.height);
   for (const FaceId f : faces_[p])
     for (const std::array<int, 3>& triangle : triangles_[f]) {
       std::array<glm::dvec2, 3> at{};
@@ -101,26 +102,27 @@ Image PictureArtist::paint(int piece, glm::dvec2 corner, int width, int height) 
       canvas.open(grown(std::move(polygon), settings_.bleed_mm * pixels_per_mm_));
     }
   canvas.grow(settings_.bleed_mm * pixels_per_mm_, settings_.on_tabs == OnTabs::Faded);
-  return std::move(canvas).image(is_grey_);
+  Image image = std::move(canvas).image(is_grey_);
+  if (window.is_mirrored) mirror(image);
+  return std::make_shared<const Image>(std::move(image));
 }
 
 void PictureArtist::draw(Sheet& sheet, const PageView& view) const {
   if (!has_pictures_) return;
-  const Box2 window = view.window();
+  const Box2 page = view.window();
   for (int piece = 0; piece < net_.n_pieces; ++piece) {
     if (layout_.pieces[static_cast<std::size_t>(piece)].canvas != view.page.canvas) continue;
     const Box2 whole = reach(piece);
-    const Box2 part{glm::max(whole.min, window.min), glm::min(whole.max, window.max)};
-    const glm::dvec2 pixels = glm::floor(part.size() * pixels_per_mm_);
-    if (part.is_empty() || !(part.min.y <= part.max.y) || pixels.x < 1 || pixels.y < 1) continue;
-    Image image = paint(piece, part.min, static_cast<int>(pixels.x), static_cast<int>(pixels.y));
+    const Box2 part{glm::max(whole.min, page.min), glm::min(whole.max, page.max)};
+    if (!(part.min.x < part.max.x) || !(part.min.y < part.max.y)) continue;
+    const glm::dvec2 pixels = glm::floor((part.max - part.min) * pixels_per_mm_);
+    if (pixels.x < 1 || pixels.y < 1) continue;
+    const Window window{piece, part.min, static_cast<int>(pixels.x), static_cast<int>(pixels.y),
+                        view.is_mirrored};
     const glm::dvec2 size = pixels / pixels_per_mm_;
-    glm::dvec2 at = view.at(part.min);
-    if (view.is_mirrored) {
-      mirror(image);
-      at.x -= size.x;
-    }
-    sheet.pictures.push_back({Layer::Print, at, size, std::make_shared<const Image>(std::move(image))});
+    const glm::dvec2 at = view.at(part.min) - glm::dvec2(view.is_mirrored ? size.x : 0, 0);
+    sheet.pictures.push_back({Layer::Print, at, size, paint(window),
+                              [self = shared_from_this(), window] { return self->paint(window); }});
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "core/sheet/draw.h"
@@ -10,22 +11,29 @@
 
 namespace netwright {
 
-/// Paints the pieces of one layout.
-class PictureArtist {
+/// Paints the pieces of one layout; has its own copy of all it needs.
+class PictureArtist : public std::enable_shared_from_this<PictureArtist> {
  public:
   PictureArtist(const Net& net, const PageLayout& layout, const SheetSettings& settings);
 
-  /// False when pictures are off or the model is plain white: there is nothing to draw then.
-  [[nodiscard]] bool has_pictures() const { return has_pictures_; }
-  /// One picture for each piece that this page shows something of.
+  /// One picture for each piece that this page shows something of, which can also be made anew later. None
+  /// when pictures are off or the model is plain white.
   void draw(Sheet& sheet, const PageView& view) const;
 
  private:
+  /// A window of a piece's canvas in whole pixels.
+  struct Window {
+    int piece = 0;
+    glm::dvec2 corner{0, 0};  ///< mm
+    int width = 0;
+    int height = 0;
+    bool is_mirrored = false;
+  };
   [[nodiscard]] Box2 reach(int piece) const;
-  [[nodiscard]] Image paint(int piece, glm::dvec2 corner, int width, int height) const;
+  [[nodiscard]] std::shared_ptr<const Image> paint(const Window& window) const;
 
-  const Net& net_;
-  const PageLayout& layout_;
+  Net net_;
+  PageLayout layout_;
   PictureSettings settings_;
   bool is_grey_ = false;
   FacePaint paint_;

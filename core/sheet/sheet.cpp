@@ -13,6 +13,8 @@ namespace netwright {
 
 namespace {
 
+constexpr double kMostPixels = 60e6;
+
 /// What one side of the paper shows. Lines are cut and folds; the cut alone where there are no folds.
 struct Side {
   bool is_back = false;
@@ -63,7 +65,7 @@ class SheetArtist {
       : layout_(layout),
         settings_(settings),
         lines_(net_lines(net, layout, settings)),
-        pictures_(net, layout, settings),
+        pictures_(std::make_shared<const PictureArtist>(net, layout, settings)),
         labels_(place_labels(net, layout, settings)),
         strips_(loose_strips(net, layout, settings, labels_)),
         margin_(layout, title_words(net, layout, info, settings.words, labels_.left_out.size()),
@@ -82,15 +84,25 @@ class SheetArtist {
       notes.words = settings_.words.note;
     }
     if (is_tile) draw_tile_marks(sheet, view, margin_.font());
-    if (side.has_pictures) pictures_.draw(sheet, view);
+    if (side.has_pictures) pictures_->draw(sheet, view);
     if (side.has_folds) draw_folds(sheet, lines_, view, settings_.lines);
     if (side.has_cuts) draw_cuts(sheet, lines_, view, settings_.lines);
     if (side.has_labels) draw_labels(sheet, labels_, view);
+    keep_pictures(sheet);
     margin_.draw(sheet, view, notes);
     if (settings_.is_grey) make_grey(sheet);
   }
 
  private:
+  /// Lets go of images that can be made anew once there are many of them.
+  void keep_pictures(Sheet& sheet) {
+    for (Picture& picture : sheet.pictures) {
+      if (!picture.later) continue;
+      n_pixels_ += static_cast<double>(picture.image->width) * picture.image->height;
+      if (n_pixels_ > kMostPixels) picture.image.reset();
+    }
+  }
+
   /// Returns the note when it has to go elsewhere.
   std::string draw_beside_net(Sheet& sheet, const PageView& view) {
     const bool is_first = sheet.number == 1;
@@ -105,10 +117,11 @@ class SheetArtist {
   const PageLayout& layout_;
   const SheetSettings& settings_;
   NetLines lines_;
-  PictureArtist pictures_;
+  std::shared_ptr<const PictureArtist> pictures_;
   PlacedLabels labels_;
   std::vector<LooseStrip> strips_;  ///< that have not found room yet
   MarginArtist margin_;
+  double n_pixels_ = 0;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -55,7 +56,11 @@ struct Picture {
   Layer layer = Layer::Print;
   glm::dvec2 at{0, 0};
   glm::dvec2 size_mm{0, 0};
-  std::shared_ptr<const Image> image;
+  std::shared_ptr<const Image> image;  ///< null where only `later` makes it
+  /// Makes the image anew; for sheets whose pictures together would fill the memory.
+  std::function<std::shared_ptr<const Image>()> later{};
+
+  [[nodiscard]] std::shared_ptr<const Image> pixels() const { return image || !later ? image : later(); }
 };
 
 /// Drawn in this order: fills, pictures, strokes, texts.
@@ -82,6 +87,7 @@ struct SheetInfo {
 /// One sheet per page of the layout. Outlines are closed polylines in order (open where a tile cuts them),
 /// folds one stroke each with dashes fitted so that both ends carry ink, on tiles in phase with the
 /// neighbouring page.
+/// Past the first 60 million pixels the pictures are made when they are asked for, see Picture::pixels().
 std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info,
                                const SheetSettings& settings = {});
 

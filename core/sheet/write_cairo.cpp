@@ -110,7 +110,7 @@ class Painter {
       cairo_fill(cr_);
     }
     for (const Picture& picture : sheet.pictures)
-      if (picture.image && !picture.image->is_empty()) show(picture);
+      if (const auto image = picture.pixels(); image && !image->is_empty()) show(picture, *image);
     cairo_set_line_cap(cr_, CAIRO_LINE_CAP_BUTT);
     cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
     for (const Stroke& stroke : sheet.strokes) {
@@ -136,11 +136,11 @@ class Painter {
 
  private:
   /// One image object with as many pixels as the picture has; what scales it is the page's matrix.
-  void show(const Picture& picture) {
-    const Surface surface = cairo_image(*picture.image);
+  void show(const Picture& picture, const Image& image) {
+    const Surface surface = cairo_image(image);
     cairo_save(cr_);
     cairo_translate(cr_, picture.at.x, picture.at.y);
-    cairo_scale(cr_, picture.size_mm.x / picture.image->width, picture.size_mm.y / picture.image->height);
+    cairo_scale(cr_, picture.size_mm.x / image.width, picture.size_mm.y / image.height);
     cairo_set_source_surface(cr_, surface.get(), 0, 0);
     cairo_paint(cr_);
     cairo_restore(cr_);

@@ -121,7 +121,7 @@ class SvgWriter {
         content += "    <path d=\"" + path_data(fill.points, true) +
                    "\" style=\"fill:" + colour_code(fill.colour) + "\"/>\n";
     for (const Picture& picture : sheet.pictures)
-      if (picture.layer == layer && picture.image && !picture.image->is_empty()) content += image(picture);
+      if (picture.layer == layer) content += image(picture);
     for (const Stroke& stroke : sheet.strokes)
       if (stroke.layer == layer) content += line(stroke);
     for (const Text& text : sheet.texts)
@@ -130,10 +130,12 @@ class SvgWriter {
   }
 
   static std::string image(const Picture& picture) {
+    const std::shared_ptr<const Image> pixels = picture.pixels();
+    if (!pixels || pixels->is_empty()) return "";
     return "    <image x=\"" + mm(picture.at.x) + "\" y=\"" + mm(picture.at.y) + "\" width=\"" +
            mm(picture.size_mm.x) + "\" height=\"" + mm(picture.size_mm.y) +
            "\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64," +
-           base64(encode_png(*picture.image)) + "\"/>\n";
+           base64(encode_png(*pixels)) + "\"/>\n";
   }
 
   [[nodiscard]] std::string line(const Stroke& stroke) const {
