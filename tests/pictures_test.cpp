@@ -166,6 +166,29 @@ TEST(Pictures, AreCarriedOverTheTabsInFullFadedOrNotAtAll) {
   }
 }
 
+TEST(Pictures, TakeNoMoreOfAPageThanTheFacesOnIt) {
+  const Net net = net_of(red_cube());
+  const PageLayout layout = arrange(net, {}, {PrintSize::Kind::Height, 150});
+  ASSERT_GT(layout.pages.size(), 2U);
+  SheetSettings settings;
+  settings.pictures.dpi = 72;
+  const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    Box2 faces;
+    const Box2 window{layout.pages[i].origin, layout.pages[i].origin + layout.frame.net.size()};
+    for (const FaceId f : net.mesh().faces()) {
+      Box2 box;
+      for (const HalfedgeId h : net.mesh().halfedges(f)) box.add(layout.on_canvas(0, net.corner(h)));
+      box = {glm::max(box.min - 1.0, window.min), glm::min(box.max + 1.0, window.max)};
+      if (box.min.x < box.max.x && box.min.y < box.max.y) faces.add(box);
+    }
+    ASSERT_EQ(sheets[i].pictures.size(), faces.is_empty() ? 0U : 1U);
+    if (!faces.is_empty()) {
+      EXPECT_LT(glm::length(sheets[i].pictures[0].size_mm - faces.size()), 1);
+    }
+  }
+}
+
 TEST(Pictures, ShowTheTextureTheRightWayRound) {
   for (const int size : {2, 64, 512}) {
     const Printed p = print(textured_square(size));
@@ -231,7 +254,7 @@ TEST(Pictures, LieInThePngWhereTheirFacesAre) {
   EXPECT_LT(page.rgba[i + 1], 20);
 }
 
-TEST(Pictures, MakeWordsOnDarkGroundLight) {
+TEST(Pictures, MakeWordsAndFoldsOnDarkGroundLight) {
   const Printed dark = print(painted(shapes::cube(), {{0.01, 0.01, 0.02}}), {}, 0);
   int n_labels = 0;
   for (const Text& text : dark.sheet.texts) {
@@ -240,8 +263,17 @@ TEST(Pictures, MakeWordsOnDarkGroundLight) {
     EXPECT_GT(text.colour.r, 0.9);
   }
   EXPECT_GT(n_labels, 0);
+  for (const Stroke& stroke : dark.sheet.strokes)
+    if (stroke.layer == Layer::Mountain) {
+      EXPECT_GT(stroke.colour.b, 0.6);
+      EXPECT_GT(stroke.colour.r, stroke.colour.b) << "still of its own colour";
+    }
   const Printed light = print(painted(shapes::cube(), {{1, 1, 0.2}}), {}, 0);
   for (const Text& text : light.sheet.texts) EXPECT_LT(text.colour.r, 0.5);
+  for (const Stroke& stroke : light.sheet.strokes)
+    if (stroke.layer == Layer::Mountain) {
+      EXPECT_EQ(stroke.colour, SheetSettings{}.lines.mountain.colour);
+    }
 }
 
 TEST(PictureCanvas, GrowsToTheNearestPaintedPixel) {

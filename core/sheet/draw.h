@@ -53,6 +53,11 @@ void draw_cuts(Sheet& sheet, const NetLines& lines, const PageView& view, const 
 /// The labels that lie wholly on the page.
 void draw_labels(Sheet& sheet, const PlacedLabels& placed, const PageView& view);
 
+/// How bright the sheet's pictures are at a point, 0…1; white paper where there is none.
+double brightness(const Sheet& sheet, glm::dvec2 at);
+/// Below this, what stands on a picture is drawn light.
+inline constexpr double kDarkGround = 0.42;
+
 /// A stroke in the style of its layer (the net's own, not Print), dashes fitted to its length.
 Stroke net_stroke(const LineStyles& styles, Layer layer, glm::dvec2 from, glm::dvec2 to);
 

@@ -17,7 +17,16 @@ bool is_inside(const Box2& box, const Label& label) {
   });
 }
 
-/// How bright the picture is at a point of the page, 0…1; white paper where there is none.
+/// Light words where most of what they stand on is dark.
+bool is_on_dark(const Sheet& sheet, const PageView& view, const Label& label) {
+  const std::array<glm::dvec2, 4> corners = label.corners();
+  double sum = brightness(sheet, view.at(label.centre));
+  for (const glm::dvec2 corner : corners) sum += brightness(sheet, view.at((corner + label.centre) * 0.5));
+  return sum / 5 < kDarkGround;
+}
+
+}  // namespace
+
 double brightness(const Sheet& sheet, glm::dvec2 at) {
   for (const Picture& picture : sheet.pictures) {
     const Image& image = *picture.image;
@@ -31,17 +40,6 @@ double brightness(const Sheet& sheet, glm::dvec2 at) {
   }
   return 1;
 }
-
-/// Light words where most of what they stand on is dark.
-bool is_on_dark(const Sheet& sheet, const PageView& view, const Label& label) {
-  constexpr double kDark = 0.42;
-  const std::array<glm::dvec2, 4> corners = label.corners();
-  double sum = brightness(sheet, view.at(label.centre));
-  for (const glm::dvec2 corner : corners) sum += brightness(sheet, view.at((corner + label.centre) * 0.5));
-  return sum / 5 < kDark;
-}
-
-}  // namespace
 
 void draw_labels(Sheet& sheet, const PlacedLabels& placed, const PageView& view) {
   const Box2 window = view.window();

@@ -2,6 +2,7 @@
 // that a fold that runs over two tiles meets its other half in phase.
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "core/sheet/dash.h"
 #include "core/sheet/draw.h"
@@ -114,6 +115,17 @@ std::vector<NetLines::Fold> inked_parts(const NetLines::Fold& fold, const LineSt
   return {first, last};
 }
 
+/// A fold on a dark picture is drawn in a light shade of its colour.
+void show_on_ground(Stroke& stroke, const Sheet& sheet) {
+  constexpr int kSamples = 8;
+  constexpr double kWhite = 0.65;
+  const glm::dvec2 along = stroke.points[1] - stroke.points[0];
+  double sum = 0;
+  for (int i = 0; i < kSamples; ++i)
+    sum += brightness(sheet, stroke.points[0] + along * ((i + 0.5) / kSamples));
+  if (sum < kDarkGround * kSamples) stroke.colour = glm::mix(stroke.colour, glm::dvec3(1), kWhite);
+}
+
 void draw_fold(Sheet& sheet, const NetLines::Fold& fold, const PageView& view, const LineStyles& styles) {
   const auto part = clip_segment(view.window(), fold.from, fold.to);
   if (!part) return;
@@ -121,6 +133,7 @@ void draw_fold(Sheet& sheet, const NetLines::Fold& fold, const PageView& view, c
   const glm::dvec2 along = fold.to - fold.from;
   stroke.points = {view.at(fold.from + along * part->first), view.at(fold.from + along * part->second)};
   stroke.dash_phase_mm = part->first * glm::length(along);
+  if (!sheet.pictures.empty()) show_on_ground(stroke, sheet);
   sheet.strokes.push_back(std::move(stroke));
 }
 

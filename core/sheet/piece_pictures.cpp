@@ -62,16 +62,25 @@ PictureArtist::PictureArtist(const Net& net, const PageLayout& layout, const She
     tabs_[static_cast<std::size_t>(net.piece[mesh.face(tab.side)])].push_back(&tab);
 }
 
-Box2 PictureArtist::reach(int piece) const {
+Box2 PictureArtist::reach(int piece, const Box2& part) const {
   const auto p = static_cast<std::size_t>(piece);
-  Box2 box;
-  for (const FaceId f : faces_[p])
+  Box2 whole;
+  const auto add = [&](Box2 box) {
+    box.min = glm::max(box.min - settings_.bleed_mm, part.min);
+    box.max = glm::min(box.max + settings_.bleed_mm, part.max);
+    if (box.min.x < box.max.x && box.min.y < box.max.y) whole.add(box);
+  };
+  for (const FaceId f : faces_[p]) {
+    Box2 box;
     for (const HalfedgeId h : net_.mesh().halfedges(f)) box.add(layout_.on_canvas(piece, net_.corner(h)));
-  for (const GlueTab* const tab : tabs_[p])
+    add(box);
+  }
+  for (const GlueTab* const tab : tabs_[p]) {
+    Box2 box;
     for (const glm::dvec2 point : tab->points) box.add(layout_.on_canvas_mm(piece, point));
-  box.min -= settings_.bleed_mm;
-  box.max += settings_.bleed_mm;
-  return box;
+    add(box);
+  }
+  return whole;
 }
 
 std::shared_ptr<const Image> PictureArtist::paint(const Window& window) const {
@@ -112,9 +121,8 @@ void PictureArtist::draw(Sheet& sheet, const PageView& view) const {
   const Box2 page = view.window();
   for (int piece = 0; piece < net_.n_pieces; ++piece) {
     if (layout_.pieces[static_cast<std::size_t>(piece)].canvas != view.page.canvas) continue;
-    const Box2 whole = reach(piece);
-    const Box2 part{glm::max(whole.min, page.min), glm::min(whole.max, page.max)};
-    if (!(part.min.x < part.max.x) || !(part.min.y < part.max.y)) continue;
+    const Box2 part = reach(piece, page);
+    if (part.is_empty()) continue;
     const glm::dvec2 pixels = glm::floor((part.max - part.min) * pixels_per_mm_);
     if (pixels.x < 1 || pixels.y < 1) continue;
     const Window window{piece, part.min, static_cast<int>(pixels.x), static_cast<int>(pixels.y),

@@ -29,7 +29,8 @@ class PictureArtist : public std::enable_shared_from_this<PictureArtist> {
     int height = 0;
     bool is_mirrored = false;
   };
-  [[nodiscard]] Box2 reach(int piece) const;
+  /// What the picture of a piece takes up within this part of its canvas.
+  [[nodiscard]] Box2 reach(int piece, const Box2& part) const;
   [[nodiscard]] std::shared_ptr<const Image> paint(const Window& window) const;
 
   Net net_;
