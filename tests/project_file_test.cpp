@@ -90,6 +90,7 @@ void set_printing(Project& project) {
   sheet.is_grey = true;
   const Image logo{.width = 2, .height = 1, .rgba = {1, 2, 3, 4, 5, 6, 7, 8}};
   sheet.words = {"Globe", "A. Folder", "120 g/m²", std::make_shared<const Image>(logo)};
+  project.exports = {true, true, true, 144, InstructionPage::Last};
   sheet.hidden_folds = {EdgeId(1), EdgeId(6)};
   sheet.shown_folds = {EdgeId(8)};
 }
@@ -337,6 +338,7 @@ TEST(ProjectFile, TheSecondVersionKnowsTabsLinesAndWords) {
   Project wanted;
   set_printing(wanted);
   EXPECT_EQ(project.tabs, wanted.tabs);
+  EXPECT_EQ(project.exports, wanted.exports);
   expect_same(project.sheet, wanted.sheet);
 }
 

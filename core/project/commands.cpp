@@ -43,6 +43,7 @@ Project new_project(const Project& before, std::filesystem::path path,
   project.paper = before.paper;
   project.tabs = before.tabs;
   project.sheet = before.sheet;
+  project.exports = before.exports;
   forget_edges(project);
   return project;
 }
@@ -148,6 +149,11 @@ Project set_tabs(Project project, const TabSettings& tabs) {
 
 Project set_sheet(Project project, const SheetSettings& sheet) {
   project.sheet = sheet;
+  return project;
+}
+
+Project set_exports(Project project, const ExportSettings& exports) {
+  project.exports = exports;
   return project;
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/paper.h"
 #include "core/mesh/dual_graph.h"
 #include "core/project/make_model.h"
+#include "core/sheet/export_settings.h"
 #include "core/sheet/pages.h"
 #include "core/sheet/placing.h"
 #include "core/sheet/sheet_settings.h"
@@ -45,7 +46,8 @@ struct Project {
   PrintSize size;
   TabSettings tabs;     ///< edits are of the made mesh
   SheetSettings sheet;  ///< folds named in it are of the made mesh
-  HandLayout placed;    ///< where the user put the pieces of the tree on this paper; empty without a tree
+  ExportSettings exports;
+  HandLayout placed;  ///< where the user put the pieces of the tree on this paper; empty without a tree
   bool operator==(const Project&) const =
       default;  ///< shared parts count as equal when they are the same object
 };

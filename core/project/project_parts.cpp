@@ -247,6 +247,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   json.set("paper", std::move(paper));
   json.set("size", size_json(project.size, mesh));
   if (!project.placed.is_automatic()) json.set("placed", placed_json(project.placed));
+  json.set("exports", exports_json(project.exports));
   json.set("tabs", tabs_json(project.tabs, mesh));
   json.set("sheet",
            sheet_json(project.sheet, mesh, [&](const auto& image) { return pictures.number_of(image); }));

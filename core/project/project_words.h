@@ -13,6 +13,7 @@ inline constexpr std::array<std::string_view, 5> kTabSides{"auto", "first", "sec
 inline constexpr std::array<std::string_view, 3> kTabPatterns{"best_side", "alternating", "both_sides"};
 inline constexpr std::array<std::string_view, 3> kOnTabs{"full", "faded", "white"};
 inline constexpr std::array<std::string_view, 3> kPrintedSides{"outside", "inside", "both"};
+inline constexpr std::array<std::string_view, 3> kInstructions{"none", "first", "last"};
 inline constexpr std::array<std::string_view, 5> kSizes{"fit_page", "height", "edge", "scale", "fit_sheets"};
 
 }  // namespace netwright::project_words

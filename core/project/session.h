@@ -210,6 +210,7 @@ class Session {
   /// `label` names the undo step: "tab width", "line styles" …
   void set_tabs(const TabSettings& tabs, const std::string& label);
   void set_sheet(const SheetSettings& sheet, const std::string& label);
+  void set_exports(const ExportSettings& exports, const std::string& label);
   /// How large the model is by its file, as long as that can hardly be meant and the user has not said what
   /// is: asked once for each model that is opened. Answered by set_size() or leave_size().
   [[nodiscard]] const std::optional<RealSize>& asked_size() const;

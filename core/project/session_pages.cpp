@@ -25,6 +25,10 @@ void Session::set_sheet(const SheetSettings& sheet, const std::string& label) {
   if (sheet != project().sheet) impl_->edit(label, netwright::set_sheet(project(), sheet));
 }
 
+void Session::set_exports(const ExportSettings& exports, const std::string& label) {
+  if (exports != project().exports) impl_->edit(label, netwright::set_exports(project(), exports));
+}
+
 void Session::rearrange_pieces() { place_pieces({}, "re-arrange all"); }
 
 }  // namespace netwright

@@ -133,7 +133,8 @@ void Session::Impl::export_to(const std::filesystem::path& path, const Project& 
         try {
           const std::shared_ptr<const Derived> now = derive(source, before, 0, progress);
           if (!now->sheets) throw Error(ErrorKind::Usage, why_no_sheets(*now));
-          const auto files = write_drawing(path, now->shown->net, *now->pages, sheet_info(source), source.sheet);
+          const auto files = write_drawing(path, now->shown->net, *now->pages, sheet_info(source),
+                                           source.sheet, source.exports);
           *news = {Message::Kind::Good, export_news(files, now->pages->pages.size()), 0};
         } catch (...) {
           *news = {Message::Kind::Error, sentence_for_current_exception("Saving " + name), 0};

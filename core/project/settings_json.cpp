@@ -205,6 +205,28 @@ TabSettings read_tabs(const Json* json, const std::string& file, const Mesh& mes
   return tabs;
 }
 
+Json exports_json(const ExportSettings& exports) {
+  Json json;
+  json.set("one_file", exports.is_one_file);
+  json.set("real_dashes", exports.real_dashes);
+  json.set("live_text", exports.live_text);
+  json.set("png_dpi", exports.png_dpi);
+  json.set("instructions", word(kInstructions, exports.instructions));
+  return json;
+}
+
+ExportSettings read_exports(const Json* json, const std::string& file) {
+  ExportSettings exports;
+  JsonFields fields(json, file, "the exports");
+  exports.is_one_file = fields.flag("one_file", exports.is_one_file);
+  exports.real_dashes = fields.flag("real_dashes", exports.real_dashes);
+  exports.live_text = fields.flag("live_text", exports.live_text);
+  exports.png_dpi = static_cast<int>(fields.integer("png_dpi", kLeastDpi, kMostDpi, exports.png_dpi));
+  exports.instructions = chosen(fields, "instructions", kInstructions, exports.instructions);
+  fields.finish();
+  return exports;
+}
+
 Json sheet_json(const SheetSettings& sheet, const Mesh& mesh,
                 const std::function<int(const std::shared_ptr<const Image>&)>& number_of) {
   Json json;
