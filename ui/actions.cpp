@@ -15,6 +15,7 @@
 #include "ui/replacing.h"
 #include "ui/run_actions.h"
 #include "ui/selection.h"
+#include "ui/tab_tool.h"
 
 namespace netwright {
 namespace {
@@ -185,6 +186,7 @@ std::string play_label(const UiContext& c) {
 
 void toggle_editing(UiContext& c) {
   const bool was_on = c.ui.editing.is_on;
+  end_tab_tool(c.ui);
   end_measure(c.ui);
   end_editing(c.ui);
   end_arranging(c.ui);
@@ -196,6 +198,7 @@ std::string rest_label(const UiContext& c) {
 }
 
 void toggle_measure(UiContext& c) {
+  end_tab_tool(c.ui);
   end_editing(c.ui);
   end_arranging(c.ui);
   const bool was_on = c.ui.measuring.is_on;
@@ -391,6 +394,11 @@ const auto kActions = std::to_array<Action>({
     {ActionId::ArrangePieces, "Arrange pieces", icon::kPan, {'A', 0},
      "Moves, turns and aligns the pieces on their pages by hand", why_not_arrange, toggle_arranging,
      [](const UiContext& c) { return c.ui.arranging.is_on; }, nullptr},
+    {ActionId::EditTabs, "Edit tabs", icon::kGlue, {'B', kShiftBit},
+     "Puts glue tabs on the other side of a cut, on both or on none, and changes their width", why_no_tab_tool,
+     toggle_tab_tool, [](const UiContext& c) { return c.ui.tabbing.is_on; }, nullptr},
+    {ActionId::HideFolds, "Hide fold line", "", {'H', 0}, "The line of this fold is not printed, or is again",
+     why_no_fold_lines, toggle_fold_lines, nullptr, fold_lines_label},
     {ActionId::TurnPieces, "Turn by a quarter", "", {'Q', 0}, "Turns the selected pieces clockwise on their pages",
      why_not_align, turn_chosen_by_a_quarter, nullptr, nullptr},
     {ActionId::AlignLeft, "Align left", "", {}, "Brings the left sides of the selected pieces in line", why_not_align,
@@ -513,6 +521,10 @@ bool run_shortcut(UiContext& context, const Shortcut& pressed) {
       end_editing(context.ui);
     } else if (candidate.id == ActionId::Stop && context.ui.measuring.is_on) {
       end_measure(context.ui);
+      return true;
+    }
+    if (candidate.id == ActionId::Stop && context.ui.tabbing.is_on) {
+      end_tab_tool(context.ui);
       return true;
     }
     if (candidate.id == ActionId::Stop && context.ui.arranging.is_on) {

@@ -62,6 +62,8 @@ enum class ActionId {
   JoinAndCut,
   ArrangePieces,
   TurnPieces,
+  EditTabs,
+  HideFolds,
   AlignLeft,
   AlignRight,
   AlignTop,

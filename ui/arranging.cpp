@@ -13,6 +13,7 @@
 #include "ui/editing.h"
 #include "ui/measure.h"
 #include "ui/selection.h"
+#include "ui/tab_tool.h"
 
 namespace netwright {
 namespace {
@@ -334,6 +335,7 @@ void escape_arranging(UiContext& c) {
 void toggle_arranging(UiContext& c) {
   const bool was_on = c.ui.arranging.is_on;
   end_editing(c.ui);
+  end_tab_tool(c.ui);
   c.ui.measuring = Measuring();
   end_arranging(c.ui);
   c.ui.arranging.is_on = !was_on;

@@ -118,6 +118,9 @@ void view_menu(UiContext& context) {
 }
 
 void paper_menu(UiContext& context) {
+  entry(context, ActionId::EditTabs);
+  entry(context, ActionId::HideFolds);
+  ImGui::Separator();
   entry(context, ActionId::ArrangePieces);
   entry(context, ActionId::TurnPieces);
   const bool is_open = ImGui::BeginMenu("Align");
@@ -133,6 +136,7 @@ void paper_menu(UiContext& context) {
   entry(context, ActionId::RearrangeAll);
   ImGui::Separator();
   entry(context, ActionId::TogglePages);
+  entry(context, ActionId::ToggleTabs);
 }
 
 void plain_menu(UiContext& context, std::initializer_list<ActionId> ids) {

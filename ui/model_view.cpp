@@ -13,6 +13,7 @@
 #include "ui/measure.h"
 #include "ui/pointing.h"
 #include "ui/selection.h"
+#include "ui/tab_tool.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -100,6 +101,10 @@ void ModelView::handle(UiContext& context, const Scene& scene, const Gesture& ge
   const Pointed pointed = point_at(scene.model_picker(), scene.pose(), camera_, pointer, edge_reach(ui));
   if (ui.editing.is_on) {
     take_edit(context, pointed, gesture, nullptr, nullptr);
+    return;
+  }
+  if (ui.tabbing.is_on) {
+    take_tab(context, nullptr, pointed, gesture, nullptr);
     return;
   }
   if (ui.measuring.is_on) {

@@ -13,6 +13,7 @@
 #include "ui/pointing.h"
 #include "ui/selection.h"
 #include "ui/status.h"
+#include "ui/tab_tool.h"
 #include "ui/timeline.h"
 #include "ui/widgets.h"
 
@@ -108,7 +109,8 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
     ui.hint = arranges ? pieces_hint(context) : band_hint(ui);
     return;
   }
-  if (gesture.is_pressed) is_panning_ = !arranges && !pointed.face.is_valid() && !pointed.side.is_valid();
+  if (gesture.is_pressed)
+    is_panning_ = !arranges && !is_at_tab(context) && !pointed.face.is_valid() && !pointed.side.is_valid();
   if (gesture.drag_button > 0 || (gesture.drag_button == 0 && is_panning_)) {
     camera_.pan({gesture.drag.x, gesture.drag.y});
     is_moved_by_user_ = true;
@@ -124,6 +126,10 @@ void NetView::handle(UiContext& context, const Scene& scene, const Gesture& gest
   if (ui.editing.is_on && (gesture.is_hovered || ui.editing.branch.is_valid())) {
     const glm::dvec2 at = camera_.to_world(pointer);
     take_edit(context, pointed, gesture, scene.net(), &at);
+    return;
+  }
+  if (ui.tabbing.is_on) {
+    if (gesture.is_hovered || ui.tabbing.is_dragging) take_tab(context, &scene, pointed, gesture, &camera_);
     return;
   }
   if (!gesture.is_hovered || gesture.drag_button >= 0) return;

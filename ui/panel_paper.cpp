@@ -1,11 +1,13 @@
 // What is in the printer and how large the model gets. Each change is one undo step.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
 #include "core/base/paper.h"
 #include "ui/actions.h"
 #include "ui/panels.h"
+#include "ui/selection.h"
 #include "ui/status.h"
 #include "ui/widgets.h"
 
@@ -53,15 +55,8 @@ void margin_row(UiContext& c) {
   c.session.set_paper(paper);
 }
 
-void size_row(UiContext& c) {
+void height_row(UiContext& c) {
   PrintSize size = c.session.project().size;
-  int chosen = static_cast<int>(size.kind);
-  const float width = row(c.ui, "Size") - c.ui.look.px(16);
-  if (segments(c.ui, "paper/size", width, {"Fit page", "Height"}, chosen)) {
-    size.kind = static_cast<PrintSize::Kind>(chosen);
-    c.session.set_size(size);
-  }
-  if (size.kind != PrintSize::Kind::Height) return;
   ImGui::SetNextItemWidth(row(c.ui, "Model height") - c.ui.look.px(16));
   const bool is_entered = length_field(c.ui, "paper/height", size.height_mm);
   tooltip(c.ui,
@@ -69,6 +64,94 @@ void size_row(UiContext& c) {
   if (!is_entered) return;
   size.height_mm = std::clamp(size.height_mm, 5.0, 5000.0);
   c.session.set_size(size);
+}
+
+/// The edge selected last, as long as nothing else was said.
+void edge_row(UiContext& c) {
+  PrintSize size = c.session.project().size;
+  const Mesh& mesh = c.session.project().dual->mesh();
+  if (!c.ui.selected_edges.empty() && size.edge != c.ui.selected_edges.front()) {
+    const EdgeId edge = c.ui.selected_edges.front();
+    if (button(c.ui, {"paper/this-edge", "Take edge " + grouped(edge.value + 1), "",
+                      "The length is that of the selected edge", ButtonKind::Outlined})) {
+      const double scale = print_scale(c.session);
+      size.edge = edge;
+      if (scale > 0) size.edge_mm = mesh.length(edge) * scale;
+      c.session.set_size(size);
+    }
+  }
+  if (!size.edge.is_valid()) {
+    text_muted(c.ui, "Select an edge in one of the views.");
+    return;
+  }
+  const std::string label = "Edge " + grouped(size.edge.value + 1);
+  ImGui::SetNextItemWidth(row(c.ui, label.c_str()) - c.ui.look.px(16));
+  if (!length_field(c.ui, "paper/edge", size.edge_mm)) return;
+  size.edge_mm = std::clamp(size.edge_mm, 0.1, 5000.0);
+  c.session.set_size(size);
+}
+
+void scale_row(UiContext& c) {
+  PrintSize size = c.session.project().size;
+  ImGui::SetNextItemWidth(row(c.ui, "mm per unit") - c.ui.look.px(16));
+  if (!number_field(c.ui, "paper/scale", size.scale, "%.4g")) return;
+  size.scale = std::clamp(size.scale, 1e-6, 1e6);
+  c.session.set_size(size);
+}
+
+void sheets_row(UiContext& c) {
+  PrintSize size = c.session.project().size;
+  auto sheets = static_cast<std::uint64_t>(size.sheets);
+  ImGui::SetNextItemWidth(row(c.ui, "Sheets") - c.ui.look.px(16));
+  const bool is_entered = number_field(c.ui, "paper/sheets", sheets);
+  tooltip(c.ui, "As large as fits on so many of them");
+  if (!is_entered) return;
+  size.sheets = static_cast<int>(std::clamp<std::uint64_t>(sheets, 1, kMostFittedSheets));
+  c.session.set_size(size);
+}
+
+/// Chosen anew, a scale begins as what is printed now, and so does an edge's length.
+void begin_by(UiContext& c, PrintSize size, PrintSize::Kind kind) {
+  const double scale = print_scale(c.session);
+  size.kind = kind;
+  if (kind == PrintSize::Kind::Scale && scale > 0) size.scale = scale;
+  if (kind == PrintSize::Kind::EdgeLength) {
+    const Mesh& mesh = c.session.project().dual->mesh();
+    if (!size.edge.is_valid())
+      size.edge = c.ui.selected_edges.empty() ? EdgeId(0) : c.ui.selected_edges.front();
+    if (scale > 0) size.edge_mm = mesh.length(size.edge) * scale;
+  }
+  c.session.set_size(size);
+}
+
+void other_rows(UiContext& c) {
+  using Kind = PrintSize::Kind;
+  static constexpr std::array<const char*, 3> kNames{"Length of an edge", "Scale", "Number of sheets"};
+  const PrintSize size = c.session.project().size;
+  const auto shown = static_cast<std::size_t>(size.kind) - static_cast<std::size_t>(Kind::EdgeLength);
+  ImGui::SetNextItemWidth(row(c.ui, "By") - c.ui.look.px(16));
+  if (begin_combo(c.ui, "paper/by", kNames[shown])) {
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      if (ImGui::Selectable(kNames[i], i == shown) && i != shown)
+        begin_by(c, size, static_cast<Kind>(i + static_cast<std::size_t>(Kind::EdgeLength)));
+      note_widget(c.ui, std::string("paper/by/") + kNames[i]);
+    }
+    ImGui::EndCombo();
+  }
+  if (size.kind == Kind::EdgeLength) edge_row(c);
+  if (size.kind == Kind::Scale) scale_row(c);
+  if (size.kind == Kind::FitSheets) sheets_row(c);
+}
+
+void size_row(UiContext& c) {
+  using Kind = PrintSize::Kind;
+  const PrintSize size = c.session.project().size;
+  int chosen = std::min(static_cast<int>(size.kind), 2);
+  const float width = row(c.ui, "Size") - c.ui.look.px(16);
+  if (segments(c.ui, "paper/size", width, {"Fit page", "Height", "Other"}, chosen))
+    begin_by(c, size, chosen == 2 ? Kind::FitSheets : static_cast<Kind>(chosen));
+  if (size.kind == Kind::Height) height_row(c);
+  if (size.kind > Kind::Height) other_rows(c);
 }
 
 /// Only where the user arranged the pieces.

@@ -21,7 +21,9 @@ void panel_solve(UiContext& context);
 /// Part of the search's section; nothing where nothing is pinned.
 void panel_pins(UiContext& context);
 void panel_runs(UiContext& context);
+void panel_tabs(UiContext& context);
 void panel_paper(UiContext& context);
+void panel_print(UiContext& context);
 void panel_overlaps(UiContext& context);
 void panel_history(UiContext& context);
 

@@ -11,6 +11,7 @@
 #include "ui/overlay.h"
 #include "ui/printed.h"
 #include "ui/selection.h"
+#include "ui/tab_tool.h"
 #include "ui/view_parts.h"
 
 namespace netwright {
@@ -250,6 +251,7 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     ui.folding = Folding();
     ui.measuring = Measuring();
     end_arranging(ui);
+    end_tab_tool(ui);
     clear_lit(ui);
     ui.hovered_part.reset();
     ui.hovered_part_faces.clear();
@@ -281,6 +283,7 @@ void Scene::take_pose(const UiContext& context, Renderers& renderers) {
                                   context.session.contradiction());
   add_measure(context.ui.measuring, *dual_, pose(), drawn, lines);
   if (drawn != nullptr) add_arranging(context, *drawn, lines);
+  if (drawn != nullptr) add_tab_tool(context, *drawn, lines);
   renderers.overlay.set_lines(std::move(lines));
 }
 

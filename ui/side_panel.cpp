@@ -4,6 +4,7 @@
 
 #include "ui/panels.h"
 #include "ui/status.h"
+#include "ui/tab_tool.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -22,6 +23,20 @@ std::string paper_summary(const UiContext& c) {
   const auto sheets = c.session.sheets();
   const std::string& format = c.session.project().paper.format;
   return sheets == nullptr ? format : std::to_string(sheets->size()) + " × " + format;
+}
+
+std::string tabs_summary(const UiContext& c) {
+  if (!c.session.has_model()) return "";
+  const TabSettings& tabs = c.session.project().tabs;
+  if (!tabs.is_on) return "none";
+  const auto pages = c.session.pages();
+  return pages == nullptr ? length_text(tabs.width_mm, c.ui.settings.unit) : tabs_text(pages->tabs);
+}
+
+std::string print_summary(const UiContext& c) {
+  if (!c.session.has_model()) return "";
+  const SheetSettings& sheet = c.session.project().sheet;
+  return sheet.is_grey ? "grey" : sheet.printed_side == PrintedSide::Both ? "both sides" : "";
 }
 
 std::string overlaps_summary(const UiContext& c) {
@@ -56,7 +71,9 @@ constexpr std::array<SectionLine, kSections> kSectionLines{
     SectionLine{Section::Model, "Model", model_summary, panel_model},
     SectionLine{Section::Solve, "Solve", solve_summary, panel_solve},
     SectionLine{Section::Runs, "Runs", runs_summary, panel_runs},
+    SectionLine{Section::Tabs, "Tabs", tabs_summary, panel_tabs},
     SectionLine{Section::Paper, "Paper", paper_summary, panel_paper},
+    SectionLine{Section::Print, "Print", print_summary, panel_print},
     SectionLine{Section::History, "History", history_summary, panel_history},
     SectionLine{Section::Overlaps, "Overlaps", overlaps_summary, panel_overlaps}};
 

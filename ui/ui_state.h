@@ -82,6 +82,16 @@ struct Arranging {
   std::uint64_t version = 0;                         ///< changes with the motion
 };
 
+/// The tool for glue tabs.
+struct Tabbing {
+  bool is_on = false;
+  HalfedgeId side = {};  ///< of the cut under the pointer
+  HalfedgeId tab = {};   ///< the side whose tab is under the pointer
+  HalfedgeId held = {};  ///< the side whose tab was pressed
+  bool is_dragging = false;
+  double width_mm = 0;  ///< while it is dragged
+};
+
 struct Toast {
   std::string text;
   bool is_good = true;
@@ -128,6 +138,7 @@ struct UiState {
   Measuring measuring;
   Editing editing;
   Arranging arranging;
+  Tabbing tabbing;
   std::optional<SwingWish> swing;  ///< a join was made: the net that comes swings over
   OverlapList overlaps;
   std::optional<Overlap> shown_overlap;  ///< lit in both views; gone with the mesh
@@ -154,7 +165,12 @@ struct UiState {
   bool wants_run_in_view = false;       ///< scroll the list of runs to the one that is looked at
   std::size_t history_seen = 0;         ///< the step that the history was last scrolled to
 
-  std::uint64_t draft = 0;  ///< bits of the number being typed, until the field is left
+  std::uint64_t draft = 0;      ///< bits of the number being typed, until the field is left
+  std::string draft_words;      ///< likewise
+  std::string draft_colour_of;  ///< the line whose colour is being picked; empty while none is
+  std::array<float, 3> draft_colour{};
+  bool is_more_tabs_open = false;
+  bool is_more_print_open = false;
 
   // Wishes of actions, fulfilled by the views in the next frame.
   bool wants_frame_model = false;

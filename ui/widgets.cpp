@@ -3,6 +3,7 @@
 #include "ui/widgets.h"
 
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -323,6 +324,31 @@ bool length_field(UiState& ui, const std::string& name, double& millimetres) {
   if (!number_field(ui, name, shown, field_format(ui.settings.unit))) return false;
   millimetres = shown * unit;
   return true;
+}
+
+bool text_field(UiState& ui, const std::string& name, std::string& words, const char* hint) {
+  const bool is_focused = ui.focus != nullptr &&
+                          ui.focus->offer(name, KeyFocus::Kind::Type, is_next_item_enabled(), is_in_dialog());
+  if (is_focused && ui.focus->has_arrived(name)) {
+    ImGui::SetScrollHereY();
+    ImGui::SetKeyboardFocusHere();
+  }
+  std::string typed = words;
+  ImGui::InputTextWithHint(("##" + name).c_str(), hint, &typed);
+  note_widget(ui, name);
+  if (ImGui::IsItemActive()) ui.draft_words = typed;
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
+  if (typed == words) typed = ui.draft_words;
+  const bool is_new = typed != words;
+  words = typed;
+  return is_new;
+}
+
+bool more_header(const UiState& ui, const std::string& name, bool& is_open) {
+  ButtonSpec spec{name, is_open ? "Less" : "More", is_open ? icon::kChevronUp : icon::kChevronDown};
+  spec.height = ui.look.px(28);
+  if (button(ui, spec)) is_open = !is_open;
+  return is_open;
 }
 
 bool begin_combo(const UiState& ui, const std::string& name, const std::string& shown) {

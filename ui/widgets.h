@@ -71,6 +71,12 @@ bool number_field(UiState& ui, const std::string& name, std::uint64_t& value);
 /// The same for a length: shown and typed in the user's unit, kept in millimetres.
 bool length_field(UiState& ui, const std::string& name, double& millimetres);
 
+/// A field for words; `hint` stands in it while it is empty. True when new ones were entered.
+bool text_field(UiState& ui, const std::string& name, std::string& words, const char* hint);
+
+/// The line that opens and closes what most people leave alone; returns whether it is open.
+bool more_header(const UiState& ui, const std::string& name, bool& is_open);
+
 /// ImGui's BeginCombo in the looks of the rest, named for tests and reachable by keyboard; when true, fill it
 /// and call ImGui::EndCombo.
 bool begin_combo(const UiState& ui, const std::string& name, const std::string& shown);
