@@ -449,6 +449,7 @@ TEST(DrawSheets, PrintsEverythingInGreyOnRequest) {
   const Net net = net_of(shapes::star(7));
   SheetSettings settings;
   settings.is_grey = true;
+  settings.words.picture = std::make_shared<const Image>(Image{1, 1, {200, 0, 0, 255}});
   const auto expect_grey = [](const glm::dvec3& c) {
     EXPECT_NEAR(c.r, c.g, 1e-12);
     EXPECT_NEAR(c.g, c.b, 1e-12);
@@ -457,6 +458,8 @@ TEST(DrawSheets, PrintsEverythingInGreyOnRequest) {
     for (const Stroke& stroke : sheet.strokes) expect_grey(stroke.colour);
     for (const Fill& fill : sheet.fills) expect_grey(fill.colour);
     for (const Text& text : sheet.texts) expect_grey(text.colour);
+    ASSERT_EQ(sheet.pictures.size(), 1U);
+    EXPECT_EQ(sheet.pictures[0].image->rgba, (std::vector<std::uint8_t>{43, 43, 43, 255}));
   }
 }
 

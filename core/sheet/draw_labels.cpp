@@ -17,12 +17,14 @@ bool is_inside(const Box2& box, const Label& label) {
   });
 }
 
-/// Light words where most of what they stand on is dark.
-bool is_on_dark(const Sheet& sheet, const PageView& view, const Label& label) {
-  const std::array<glm::dvec2, 4> corners = label.corners();
+/// Quiet words on white paper, strong ones on a picture, and light ones where it is dark.
+glm::dvec3 ink_for(const Sheet& sheet, const PageView& view, const Label& label) {
+  constexpr double kWhite = 0.95;
   double sum = brightness(sheet, view.at(label.centre));
-  for (const glm::dvec2 corner : corners) sum += brightness(sheet, view.at((corner + label.centre) * 0.5));
-  return sum / 5 < kDarkGround;
+  for (const glm::dvec2 corner : label.corners())
+    sum += brightness(sheet, view.at((corner + label.centre) * 0.5));
+  if (sum / 5 < kDarkGround) return kPaperInk;
+  return label.kind == Label::Kind::EdgeNumber || sum / 5 < kWhite ? kInk : kQuietInk;
 }
 
 }  // namespace
@@ -54,8 +56,7 @@ void draw_labels(Sheet& sheet, const PlacedLabels& placed, const PageView& view)
     text.words = label.words;
     text.size_mm = label.size_mm;
     text.weight = weight_of(label.kind);
-    text.colour = label.kind == Label::Kind::EdgeNumber ? kInk : kQuietInk;
-    if (!sheet.pictures.empty() && is_on_dark(sheet, view, label)) text.colour = kPaperInk;
+    text.colour = ink_for(sheet, view, label);
     text.angle_rad = angle;
     sheet.texts.push_back(std::move(text));
   }

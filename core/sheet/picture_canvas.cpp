@@ -146,12 +146,16 @@ void PictureCanvas::grow(double distance, bool fades) {
 }
 
 Image PictureCanvas::image(bool is_grey) && {
-  for (std::size_t i = 0; is_grey && i < is_open_.size(); ++i) {
-    std::uint8_t* const p = &image_.rgba[4 * i];
+  return is_grey ? greyed(std::move(image_)) : std::move(image_);
+}
+
+Image greyed(Image image) {
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+    std::uint8_t* const p = &image.rgba[i];
     const auto grey = static_cast<std::uint8_t>((2126U * p[0] + 7152U * p[1] + 722U * p[2] + 5000U) / 10000U);
     std::fill(p, p + 3, grey);
   }
-  return std::move(image_);
+  return image;
 }
 
 void mirror(Image& image) {

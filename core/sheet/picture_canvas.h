@@ -44,4 +44,7 @@ class PictureCanvas {
 /// Left becomes right.
 void mirror(Image& image);
 
+/// The same in shades of grey.
+Image greyed(Image image);
+
 }  // namespace netwright

@@ -7,6 +7,7 @@
 #include "core/sheet/draw.h"
 #include "core/sheet/free_spots.h"
 #include "core/sheet/loose_strips.h"
+#include "core/sheet/picture_canvas.h"
 #include "core/sheet/piece_pictures.h"
 
 namespace netwright {
@@ -130,6 +131,9 @@ void make_grey(Sheet& sheet) {
   for (Fill& fill : sheet.fills) grey(fill.colour);
   for (Stroke& stroke : sheet.strokes) grey(stroke.colour);
   for (Text& text : sheet.texts) grey(text.colour);
+  // Those of the net are painted grey; the user's own is not.
+  for (Picture& picture : sheet.pictures)
+    if (!picture.later) picture.image = std::make_shared<const Image>(greyed(*picture.image));
 }
 
 std::vector<Sheet> draw_sheets(const Net& net, const PageLayout& layout, const SheetInfo& info,

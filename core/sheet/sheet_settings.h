@@ -64,8 +64,8 @@ struct PictureSettings {
 
 enum class PrintedSide {
   Outside,  ///< the printed side becomes the outside of the model
-  Inside,   ///< mirrored, so that the marks are hidden inside
-  Both,     ///< picture outside, marks inside, as front and back pages that register
+  Inside,   ///< mirrored, so that the marks are hidden inside; no picture, which nobody would see there
+  Both,     ///< picture and cuts outside, all marks inside, as front and back pages that register
 };
 
 /// The user's own words and picture on the sheet.
