@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/polygon2.h"
 #include "core/sheet/face_paint.h"
@@ -274,6 +275,28 @@ TEST(Pictures, MakeWordsAndFoldsOnDarkGroundLight) {
     if (stroke.layer == Layer::Mountain) {
       EXPECT_EQ(stroke.colour, SheetSettings{}.lines.mountain.colour);
     }
+}
+
+TEST(Pictures, TakeAnyTextureCoordinates) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const glm::dvec2 uv : {glm::dvec2(nan, 0), {0, infinite}, {-infinite, nan}, {1e300, -1e300}})
+    EXPECT_EQ(texture_at(*quarters(4), uv), texture_at(*quarters(4), {0, 0}));
+  for (const double far : {-3.0, 7.0})
+    EXPECT_EQ(texture_at(*quarters(4), {0.25 + far, 0.75 - far}), texture_at(*quarters(4), {0.25, 0.75}));
+}
+
+TEST(Pictures, StayWithinTheMemoryOnTheLargestPaper) {
+  const Net net = net_of(red_cube());
+  SheetSettings settings;
+  settings.pictures.dpi = 600;
+  const PageLayout layout = arrange(net, {"A0", Orientation::Portrait, 10}, {PrintSize::Kind::Height, 10});
+  const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+  const Picture& picture = sheets[0].pictures[0];
+  const double pixels_per_mm = picture.image->width / picture.size_mm.x;
+  EXPECT_LT(pixels_per_mm, 600 / 25.4);
+  EXPECT_NEAR(pixels_per_mm * pixels_per_mm * layout.frame.net.size().x * layout.frame.net.size().y, 120e6,
+              1);
 }
 
 TEST(PictureCanvas, GrowsToTheNearestPaintedPixel) {

@@ -94,6 +94,9 @@ ImageSize FacePaint::texture_size(FaceId f) const {
 }
 
 Pixel texture_at(const Image& texture, glm::dvec2 uv) {
+  constexpr double kFarthest = 1e9;
+  // Also true for what is no number, as files have it and slivers make it.
+  if (!(std::abs(uv.x) < kFarthest && std::abs(uv.y) < kFarthest)) uv = {0, 0};
   const double x = (uv.x - std::floor(uv.x)) * texture.width - 0.5;
   const double y = (1 - (uv.y - std::floor(uv.y))) * texture.height - 0.5;
   const double left = std::floor(x);

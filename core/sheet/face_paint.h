@@ -45,6 +45,7 @@ class FacePaint {
 };
 
 /// The texture at a place (0, 0 = lower left, repeated beyond 0…1), blended between its pixels, on white.
+/// Any numbers will do.
 Pixel texture_at(const Image& texture, glm::dvec2 uv);
 
 }  // namespace netwright

@@ -14,6 +14,13 @@ namespace {
 
 constexpr double kMmPerInch = 25.4;
 constexpr double kMostBleed = 3;
+constexpr double kMostPixels = 120e6;  // on a page: A1 at 300 dpi has 70 million
+
+/// As many as asked for, fewer on paper so large that its picture would not fit into memory.
+double pixels_per_mm(const PictureSettings& settings, const PageFrame& frame) {
+  const glm::dvec2 size = frame.net.size();
+  return std::min(settings.dpi / kMmPerInch, std::sqrt(kMostPixels / std::max(size.x * size.y, 1.0)));
+}
 
 double twice_area(const std::array<glm::dvec2, 3>& p) { return std::abs(cross(p[1] - p[0], p[2] - p[0])); }
 
@@ -45,7 +52,7 @@ PictureArtist::PictureArtist(const Net& net, const PageLayout& layout, const She
       is_grey_(settings.is_grey),
       paint_(net_.mesh()),
       has_pictures_(settings.pictures.is_on && !paint_.is_plain()),
-      pixels_per_mm_(settings.pictures.dpi / kMmPerInch) {
+      pixels_per_mm_(pixels_per_mm(settings.pictures, layout.frame)) {
   if (!has_pictures_) return;
   settings_.bleed_mm = std::clamp(settings_.bleed_mm, 0.0, kMostBleed);
   const Mesh& mesh = net.mesh();
