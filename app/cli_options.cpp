@@ -268,9 +268,7 @@ class Reader {
         ->type_name("silhouette|cricut|laser")
         ->check(CLI::Validator(
             [](std::string& word) {
-              return word == "silhouette" || word == "cricut" || word == "laser"
-                         ? std::string()
-                         : "it must be silhouette, cricut or laser";
+              return cutter_named(word) ? std::string() : "it must be silhouette, cricut or laser";
             },
             ""));
   }
@@ -278,9 +276,7 @@ class Reader {
   void take_exports() {
     if (instructions_ == "first") unfold_.exports.instructions = InstructionPage::First;
     if (instructions_ == "last") unfold_.exports.instructions = InstructionPage::Last;
-    if (cutter_ == "silhouette") unfold_.cutter = CutterPreset::Silhouette;
-    if (cutter_ == "cricut") unfold_.cutter = CutterPreset::Cricut;
-    if (cutter_ == "laser") unfold_.cutter = CutterPreset::Laser;
+    unfold_.cutter = cutter_named(cutter_);
   }
 
   void add_replace() {

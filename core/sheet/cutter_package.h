@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,8 @@ namespace netwright {
 /// the PDF too, which many lasers take directly.
 enum class CutterPreset { Silhouette, Cricut, Laser };
 inline constexpr std::array<std::string_view, 3> kCutterNames = {"Silhouette", "Cricut", "Laser"};
+/// By name, in any case; nothing for other words.
+std::optional<CutterPreset> cutter_named(std::string_view name);
 inline constexpr glm::dvec2 kCricutArea{234.95, 171.45};  ///< 9.25 x 6.75 inches, either way up
 
 /// The same paper with margins that keep the net away from the marks: arrange() with this first.

@@ -1,5 +1,6 @@
 // A drawn sheet parted into what is printed and what is cut, and the registration marks of the presets.
 #include <algorithm>
+#include <cctype>
 
 #include "core/sheet/cutter_package.h"
 
@@ -97,6 +98,13 @@ void add_prints(Sheet& target, const Sheet& sheet, const Box2& net) {
 }
 
 }  // namespace
+
+std::optional<CutterPreset> cutter_named(std::string_view name) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  for (std::size_t i = 0; i < kCutterNames.size(); ++i)
+    if (std::ranges::equal(name, kCutterNames[i], {}, lower, lower)) return static_cast<CutterPreset>(i);
+  return std::nullopt;
+}
 
 PaperSetup cutter_paper(PaperSetup paper, CutterPreset preset) {
   const double least =

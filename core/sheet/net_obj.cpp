@@ -44,6 +44,7 @@ glm::dvec2 uv_of(const Net& net, const PageLayout& layout, HalfedgeId h) {
 /// The layout of one canvas alone, on a page that is all net.
 PageLayout bare_layout(const PageLayout& layout, std::size_t index) {
   PageLayout bare = layout;
+  bare.tabs.missing.clear();  // no loose strips beside the net
   PageLayout::Canvas& canvas = bare.canvases[index];
   canvas.columns = 1;
   canvas.rows = 1;
@@ -92,6 +93,7 @@ std::vector<Sheet> canvas_sheets(const Net& net, const PageLayout& layout, const
   SheetSettings plain = settings;
   plain.printed_side = PrintedSide::Outside;
   plain.labels.edge_numbers = false;
+  plain.words = {};
   std::vector<Sheet> sheets;
   for (std::size_t i = 0; i < layout.canvases.size(); ++i) {
     Sheet sheet = draw_sheets(net, bare_layout(layout, i), {}, plain).front();
