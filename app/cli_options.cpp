@@ -160,6 +160,7 @@ class Reader {
     if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
     note_given();
     take_pins();
+    take_printing();
     take_exports();
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     // "a4" is understood; what is printed calls it by its own name.
@@ -232,14 +233,51 @@ class Reader {
     app.add_option("--paper", unfold_.paper.format, "Paper format: A4, A3, Letter …")
         ->type_name("NAME")
         ->capture_default_str();
+    app.add_option("--margin", unfold_.printing.margin_mm, "Margins of the paper in mm")
+        ->type_name("MM")
+        ->check(within(0.0, 1000.0, "a number of millimetres, 0 or more"));
     height_ = app.add_option("--height", unfold_.size.height_mm,
                              "Height of the finished model in mm, over as many pages as it takes")
                   ->type_name("MM")
                   ->check(within(1e-3, 1e6, "a number of millimetres above 0"));
     app.add_flag("--fit-page", is_fit_page_, "Print as large as one page allows (this is the default)")
         ->excludes(height_);
+    add_printing(app);
     add_exports(app);
     app.add_flag("--json", unfold_.is_json, "Print the result as one JSON object");
+  }
+
+  void add_printing(CLI::App& app) {
+    app.add_option("--tabs", unfold_.printing.tabs_mm, "Width of the glue tabs in mm, 0 = none")
+        ->type_name("MM")
+        ->check(CLI::Validator(
+            [](std::string& word) {
+              const std::string fault = "it must be 0 or a number of millimetres from 2 to 50";
+              double width = -1;
+              const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), width);
+              const bool is_number = error == std::errc() && end == word.data() + word.size();
+              const bool is_sound = width == 0 || (width >= kLeastTabWidth && width <= kMostTabWidth);
+              return is_number && is_sound ? std::string() : fault;
+            },
+            ""));
+    app.add_option("--lines", lines_, "Styles of cuts and folds")
+        ->type_name("origami|kit|solid|cutter")
+        ->transform(CLI::IsMember({"origami", "kit", "solid", "cutter"}));
+    app.add_option("--side", side_, "Side of the paper that is printed: the model's outside, inside or both")
+        ->type_name("outside|inside|both")
+        ->transform(CLI::IsMember({"outside", "inside", "both"}));
+    app.add_flag("--grey", unfold_.printing.is_grey, "Everything in shades of grey");
+    app.add_flag("--no-numbers", unfold_.printing.no_numbers, "No numbers at the cuts");
+    app.add_flag("--no-pictures", unfold_.printing.no_pictures, "Neither textures nor colours of the model");
+  }
+
+  void take_printing() {
+    constexpr std::array<std::string_view, 4> kLines = {"origami", "kit", "solid", "cutter"};
+    constexpr std::array<std::string_view, 3> kSides = {"outside", "inside", "both"};
+    const auto lines = std::ranges::find(kLines, lines_);
+    const auto side = std::ranges::find(kSides, side_);
+    if (lines != kLines.end()) unfold_.printing.lines = static_cast<LinePreset>(lines - kLines.begin());
+    if (side != kSides.end()) unfold_.printing.side = static_cast<PrintedSide>(side - kSides.begin());
   }
 
   void add_exports(CLI::App& app) {
@@ -453,7 +491,7 @@ class Reader {
   CLI::Option* height_ = nullptr;
   bool is_fit_page_ = false;
   std::string up_;
-  std::string instructions_, cutter_;
+  std::string lines_, side_, instructions_, cutter_;
   bool is_repair_ = false;
   int hole_edges_ = 0;
   std::vector<std::string> leave_out_;

@@ -43,7 +43,17 @@ struct UnfoldCommand {
   std::vector<std::vector<int>> together;      ///< patches as numbers of faces, counted from 1
   PaperSetup paper;
   PrintSize size;
-  ExportSettings exports;
+  /// How it is printed; what is not named is a project's to decide, or as usual.
+  struct Printing {
+    std::optional<double> margin_mm{};
+    std::optional<double> tabs_mm{};  ///< width of the glue tabs, 0 = none
+    std::optional<LinePreset> lines{};
+    std::optional<PrintedSide> side{};
+    bool is_grey = false;
+    bool no_numbers = false;
+    bool no_pictures = false;
+  } printing;
+  ExportSettings exports;              ///< what differs from the usual takes a project's place
   std::optional<CutterPreset> cutter;  ///< outputs without an extension are folders for its package
   bool is_json = false;
 

@@ -84,6 +84,28 @@ SolveOptions solve_options(const UnfoldCommand& command, const CliModel& model) 
   return options;
 }
 
+void take_exports(ExportSettings& exports, const ExportSettings& named) {
+  exports.is_one_file |= named.is_one_file;
+  exports.real_dashes |= named.real_dashes;
+  exports.live_text |= named.live_text;
+  if (named.png_dpi != ExportSettings{}.png_dpi) exports.png_dpi = named.png_dpi;
+  if (named.instructions != InstructionPage::None) exports.instructions = named.instructions;
+}
+
+/// The project's settings of print, with those named in the command in their place.
+void take_printing(Project& project, UnfoldCommand& command) {
+  const UnfoldCommand::Printing& printing = command.printing;
+  if (printing.margin_mm) project.paper.margin_mm = command.paper.margin_mm = *printing.margin_mm;
+  if (printing.tabs_mm) project.tabs.is_on = *printing.tabs_mm > 0;
+  if (printing.tabs_mm && *printing.tabs_mm > 0) project.tabs.width_mm = *printing.tabs_mm;
+  if (printing.lines) project.sheet.lines = line_styles(*printing.lines);
+  if (printing.side) project.sheet.printed_side = *printing.side;
+  if (printing.is_grey) project.sheet.is_grey = true;
+  if (printing.no_numbers) project.sheet.labels.edge_numbers = false;
+  if (printing.no_pictures) project.sheet.pictures.is_on = false;
+  take_exports(project.exports, command.exports);
+}
+
 /// What was found, and where it goes on paper.
 struct Drawing {
   PageLayout layout;
@@ -99,19 +121,20 @@ std::vector<fs::path> write_one(const fs::path& output, const UnfoldCommand& com
   const SheetInfo info{"", true, static_cast<std::uint64_t>(command.seed)};
   const Net& net = outcome.result.net;
   if (is_package(output, command)) {
-    const PageLayout clear = arrange(net, cutter_paper(command.paper, *command.cutter), command.size);
-    const CutterPackage package =
-        write_cutter_package(output, net, clear, info, {}, command.exports, *command.cutter);
+    const PageLayout clear =
+        arrange(net, cutter_paper(command.paper, *command.cutter), command.size, model.project.tabs);
+    const CutterPackage package = write_cutter_package(output, net, clear, info, model.project.sheet,
+                                                       model.project.exports, *command.cutter);
     for (const std::string& note : package.notes) complain("note: " + note);
     return package.files;
   }
-  return write_drawing(output, net, layout, info, {}, command.exports);
+  return write_drawing(output, net, layout, info, model.project.sheet, model.project.exports);
 }
 
 /// All files or none: when one cannot be written, those that this run added before it go again.
 Drawing draw(const UnfoldCommand& command, const CliModel& model, const UnfoldOutcome& outcome) {
   Drawing drawing;
-  drawing.layout = arrange(outcome.result.net, command.paper, command.size);
+  drawing.layout = arrange(outcome.result.net, command.paper, command.size, model.project.tabs);
   std::vector<fs::path> added;
   try {
     for (const fs::path& output : command.outputs) {
@@ -187,12 +210,14 @@ int run_unfold(const UnfoldCommand& asked) {
   UnfoldCommand command = asked;
   const double start = now_seconds();
   check_outputs(command);
+  command.paper.margin_mm = command.printing.margin_mm.value_or(command.paper.margin_mm);
   static_cast<void>(page_frame(command.paper));  // refuses unknown paper
   const Interrupts interrupts;
   CliModel model;
   const Watched watched =
       run_watched(interrupts, [&](Progress& progress) { model = read_cli_model(command, progress); });
   if (watched.was_interrupted) return kCancelled;
+  take_printing(model.project, command);
   return search_and_write(command, model, interrupts, start);
 }
 

@@ -42,6 +42,25 @@ TEST_F(CommandLine, WritesMachineFilesAsAskedFor) {
   EXPECT_EQ(content(at("net.svg")).find("stroke-dasharray"), std::string::npos);
 }
 
+TEST_F(CommandLine, PrintsAsAskedFor) {
+  const std::string cube = write("cube.obj", shapes::cube());
+  const auto svg_with = [&](Strings options) {
+    options.insert(options.begin(), {"unfold", cube, "--height", "30", "-o", at("net.svg")});
+    EXPECT_EQ(run(options).status, 0);
+    return content(at("net.svg"));
+  };
+  EXPECT_NE(svg_with({"--lines", "cutter"}).find("stroke:#ff0000"), std::string::npos);
+  EXPECT_EQ(svg_with({"--lines", "cutter", "--grey"}).find("stroke:#ff0000"), std::string::npos);
+  EXPECT_NE(svg_with({"--side", "inside"}).find("mirrored"), std::string::npos);
+  EXPECT_NE(svg_with({}), svg_with({"--no-numbers"}));
+  EXPECT_NE(svg_with({}), svg_with({"--margin", "20"}));
+  for (const Strings& wrong : {Strings{"--tabs", "1"}, {"--lines", "blue"}, {"--side", "left"}}) {
+    Strings command{"unfold", cube};
+    command.insert(command.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(run(command).status, 1) << wrong[0];
+  }
+}
+
 TEST_F(CommandLine, ReportsWithoutWritingWhenNoOutputIsNamed) {
   const Ended ended = run({"unfold", write("cube.obj", shapes::cube())});
   EXPECT_EQ(ended.status, 0);
