@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/polygon2.h"
+#include "core/base/predicates.h"
 #include "core/sheet/font.h"
 #include "core/sheet/outline.h"
 #include "core/unfold/overlap.h"
@@ -102,6 +103,47 @@ TEST(PlaceLabels, CoversNoLineAndNoOtherLabelOnAnyShapeOfTheZoo) {
     }
   }
   EXPECT_GT(n_labels, 1000U);
+}
+
+TEST(PlaceLabels, CoversNothingThatIsDrawnOnTheWholePage) {
+  int n_nets = 0;
+  std::size_t n_labels = 0;
+  for (const testing::ZooShape& shape : testing::zoo()) {
+    SCOPED_TRACE(shape.soup.name);
+    const Net net = net_of(shape.soup);
+    if (!find_overlaps(net, kShownDepth).empty()) continue;
+    ++n_nets;
+    PageLayout layout = arrange(net, {}, {});
+    layout.tabs = place_tabs(net, layout.scale, {});
+    testing::widen(layout, 10);
+    const SheetSettings settings = everything();
+    const PlacedLabels placed = place_labels(net, layout, settings);
+    const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
+    n_labels += placed.labels.size();
+    std::vector<Quad> quads;
+    for (const Label& label : placed.labels) {
+      quads.push_back(label.corners());
+      for (glm::dvec2& p : quads.back()) p = layout.on_page(layout.pages.front(), p);
+    }
+    for (std::size_t i = 0; i < quads.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        // Pieces may lie closer than their tabs reach where the layout knows nothing of tabs.
+        if (net.n_pieces > 1 && net.piece[placed.labels[i].face] != net.piece[placed.labels[j].face])
+          continue;
+        EXPECT_FALSE(meet(quads[i], quads[j])) << placed.labels[i].words << " and " << placed.labels[j].words;
+      }
+      for (const Stroke& stroke : sheets.front().strokes) {
+        if (!testing::is_of_net(stroke) || net.n_pieces > 1) continue;
+        for (std::size_t k = 0; k + 1 < stroke.points.size(); ++k)
+          for (std::size_t side = 0; side < 4; ++side)
+            EXPECT_FALSE(segments_meet(quads[i][side], quads[i][(side + 1) % 4], stroke.points[k],
+                                       stroke.points[k + 1]))
+                << placed.labels[i].words;
+      }
+    }
+  }
+  EXPECT_GT(n_nets, 20);
+  EXPECT_GT(n_labels, 500U);
 }
 
 TEST(PlaceLabels, NoLabelsBoxIsSmallerThanItsWords) {

@@ -255,7 +255,7 @@ TEST(Pictures, LieInThePngWhereTheirFacesAre) {
   EXPECT_LT(page.rgba[i + 1], 20);
 }
 
-TEST(Pictures, MakeWordsAndFoldsOnDarkGroundLight) {
+TEST(Pictures, MakeWordsAndLinesOnDarkGroundLight) {
   const Printed dark = print(painted(shapes::cube(), {{0.01, 0.01, 0.02}}), {}, 0);
   int n_labels = 0;
   for (const Text& text : dark.sheet.texts) {
@@ -269,7 +269,18 @@ TEST(Pictures, MakeWordsAndFoldsOnDarkGroundLight) {
       EXPECT_GT(stroke.colour.b, 0.6);
       EXPECT_GT(stroke.colour.r, stroke.colour.b) << "still of its own colour";
     }
+  const auto light_cut = [](const Printed& p) {
+    double length = 0;
+    for (const Stroke& stroke : p.sheet.strokes)
+      if (stroke.layer == Layer::Print && stroke.width_mm == SheetSettings{}.lines.cut.width_mm &&
+          stroke.colour.r > 0.8)
+        length += testing::length_of(stroke);
+    return length;
+  };
+  const double outline = 14 * dark.layout.scale * dark.net.mesh().mean_edge();
+  EXPECT_NEAR(light_cut(dark), outline, 0.01 * outline) << "all of the outline can be seen";
   const Printed light = print(painted(shapes::cube(), {{1, 1, 0.2}}), {}, 0);
+  EXPECT_EQ(light_cut(light), 0);
   for (const Text& text : light.sheet.texts) EXPECT_LT(text.colour.r, 0.5);
   for (const Stroke& stroke : light.sheet.strokes)
     if (stroke.layer == Layer::Mountain) {

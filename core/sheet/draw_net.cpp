@@ -137,6 +137,34 @@ void draw_fold(Sheet& sheet, const NetLines::Fold& fold, const PageView& view, c
   sheet.strokes.push_back(std::move(stroke));
 }
 
+/// Where a cut runs over a dark picture it gets a light line on top, which machines pass over.
+void show_cut_on_ground(Sheet& sheet, const Stroke& cut) {
+  constexpr double kStep = 1;
+  constexpr double kDark = 0.3;
+  constexpr double kLight = 0.85;
+  std::vector<glm::dvec2> run;
+  const auto end_run = [&] {
+    if (run.size() > 1)
+      sheet.strokes.push_back({Layer::Print, run, false, cut.width_mm, glm::dvec3(kLight), {}, 0});
+    run.clear();
+  };
+  const std::size_t n = cut.points.size();
+  for (std::size_t i = 0; i + (cut.is_closed ? 0 : 1) < n; ++i) {
+    const glm::dvec2 from = cut.points[i];
+    const glm::dvec2 along = cut.points[(i + 1) % n] - from;
+    const double steps = std::max(1.0, std::ceil(glm::length(along) / kStep));
+    for (double k = 0; k < steps; ++k) {
+      if (brightness(sheet, from + along * ((k + 0.5) / steps)) >= kDark) {
+        end_run();
+        continue;
+      }
+      if (run.empty()) run.push_back(from + along * (k / steps));
+      run.push_back(from + along * ((k + 1) / steps));
+    }
+  }
+  end_run();
+}
+
 }  // namespace
 
 void draw_folds(Sheet& sheet, const NetLines& lines, const PageView& view, const LineStyles& styles) {
@@ -153,8 +181,10 @@ void draw_cuts(Sheet& sheet, const NetLines& lines, const PageView& view, const 
     ClippedLine clipped = clip_polyline(view.window(), outline.points, true);
     for (std::vector<glm::dvec2>& run : clipped.runs) {
       for (glm::dvec2& p : run) p = view.at(p);
-      sheet.strokes.push_back(
-          {Layer::Cut, std::move(run), clipped.is_whole, styles.cut.width_mm, styles.cut.colour, {}, 0});
+      const Stroke cut{
+          Layer::Cut, std::move(run), clipped.is_whole, styles.cut.width_mm, styles.cut.colour, {}, 0};
+      sheet.strokes.push_back(cut);
+      if (!sheet.pictures.empty()) show_cut_on_ground(sheet, cut);
     }
   }
 }
