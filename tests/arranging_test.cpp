@@ -25,6 +25,7 @@ struct Pair : Gui {
     session().open(folder.write("pair.obj", shapes::to_obj(both)));
     EXPECT_TRUE(until([&] { return session().has_model(); }));
     session().set_size({PrintSize::Kind::Height, 50});  // leaves room on the sheet
+    session().set_tabs(no_tabs(), "no tabs");           // what is measured here are faces
     EXPECT_TRUE(unfold());
     EXPECT_TRUE(until([&] { return session().pages() != nullptr; }));
     frames(30);
@@ -103,6 +104,19 @@ TEST(Arranging, SidesSnapToTheRoomOnTheSheet) {
   Pair gui;
   const Box2 was = gui.box_of(0);
   // Not quite to the left edge, but near enough.
+  const glm::dvec2 way(-was.min.x / gui.mm_per_pixel() + 4, 0);
+  gui.drag_and_wait(gui.pixel_of(0), gui.pixel_of(0) + way);
+  EXPECT_NEAR(gui.box_of(0).min.x, 0, 1e-6);
+  EXPECT_EQ(gui.session().misplaced(), nullptr);
+}
+
+TEST(Arranging, TabsSnapToTheRoomOnTheSheet) {
+  Pair gui;
+  const auto bare = gui.session().pages();
+  gui.session().set_tabs(TabSettings(), "tabs");
+  ASSERT_TRUE(gui.until([&] { return gui.session().pages() && gui.session().pages() != bare; }));
+  gui.frames(3);
+  const Box2 was = gui.box_of(0);
   const glm::dvec2 way(-was.min.x / gui.mm_per_pixel() + 4, 0);
   gui.drag_and_wait(gui.pixel_of(0), gui.pixel_of(0) + way);
   EXPECT_NEAR(gui.box_of(0).min.x, 0, 1e-6);

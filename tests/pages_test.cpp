@@ -140,6 +140,43 @@ TEST(Arrange, FitsEveryShapeOnOnePageAndFillsItToTheBorder) {
   }
 }
 
+TEST(Arrange, KeepsTabsOnThePageAndMakesTheMostOfIt) {
+  for (const testing::ZooShape& shape : testing::zoo()) {
+    SCOPED_TRACE(shape.soup.name);
+    const Net net = net_of(shape.soup);
+    const PageLayout layout = arrange(net, {"A5"}, {}, TabSettings());
+    ASSERT_EQ(layout.pages.size(), 1U);
+    Box2 all;
+    for (int piece = 0; piece < net.n_pieces; ++piece) all.add(box_on_canvas(net, layout, piece));
+    for (const GlueTab& tab : layout.tabs.tabs)
+      for (const glm::dvec2 p : tab.points)
+        all.add(layout.on_canvas_mm(net.piece[net.mesh().face(tab.side)], p));
+    expect_inside(all, {{0, 0}, layout.frame.net.size()});
+    const glm::dvec2 share = all.size() / layout.frame.net.size();
+    EXPECT_GT(std::max(share.x, share.y), net.n_pieces == 1 ? 0.985 : 0.7);
+    EXPECT_LE(layout.scale, arrange(net, {"A5"}, {}).scale);
+  }
+}
+
+TEST(Arrange, CountsTabsForTheTilesItNeeds) {
+  const Net net = net_of(shapes::icosphere(2));
+  TabSettings wide;
+  wide.width_mm = 20;
+  const PageLayout layout = arrange(net, {}, height(400), wide);
+  ASSERT_GT(layout.tabs.tabs.size(), 20U);
+  for (const GlueTab& tab : layout.tabs.tabs)
+    for (const glm::dvec2 p : tab.points) {
+      const glm::dvec2 at = layout.on_canvas_mm(0, p);
+      const bool is_shown =
+          std::any_of(layout.pages.begin(), layout.pages.end(), [&](const PageLayout::Page& page) {
+            const glm::dvec2 on = at - page.origin;
+            const glm::dvec2 room = layout.frame.net.size();
+            return on.x >= 0 && on.y >= 0 && on.x <= room.x && on.y <= room.y;
+          });
+      EXPECT_TRUE(is_shown);
+    }
+}
+
 TEST(Arrange, PrintsLargerThanUnturned) {
   const Net net = net_of(shapes::cuboid({1, 20, 0.5}));
   const PageLayout turned = arrange(net, {}, {});

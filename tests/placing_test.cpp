@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/project/commands.h"
 #include "core/project/derived.h"
 #include "core/project/project_file.h"
 #include "core/project/replace_model.h"
@@ -26,7 +27,10 @@ constexpr double kTurn_rad = 0.3;
 
 PolygonSoup two_solids() { return shapes::combined(shapes::cube(), shapes::tetrahedron(), {5, 0, 0}); }
 
-Project solved_pair() { return solved(project_of(two_solids())); }
+/// Solved, and printed without glue tabs.
+Project bare(const PolygonSoup& soup) { return set_tabs(solved(project_of(soup)), no_tabs()); }
+
+Project solved_pair() { return bare(two_solids()); }
 
 std::shared_ptr<const Derived> derived_of(const Project& project) {
   Progress progress;
@@ -56,6 +60,49 @@ void expect_near(const Box2& a, const Box2& b) {
   EXPECT_NEAR(glm::distance(a.max, b.max), 0, 1e-9);
 }
 
+TEST(Placing, TabsThatCoverAnotherPieceOrTheEdgeAreTold) {
+  const Project project = solved(project_of(two_solids()));
+  const auto derived = derived_of(project);
+  const Net& net = derived->shown->net;
+  const PageLayout& pages = *derived->pages;
+  ASSERT_FALSE(pages.tabs.tabs.empty());
+  EXPECT_TRUE(derived->misplaced.is_nothing()) << misplaced_sentence(derived->misplaced);
+  HandLayout placed = as_it_lies(*derived);
+  const auto misplaced_with = [&](const TabSettings& tabs) {
+    return find_misplaced(net, *lay_out(net, {}, placed, tabs));
+  };
+  EXPECT_TRUE(misplaced_with(project.tabs).is_nothing());
+  // Faces fill the box without its tabs, which then reach over the edge by themselves.
+  const int piece = net.piece[placed.places[0].face];
+  const Box2 faces = box_of(net, pages, piece);
+  const Box2 with_tabs = box_on_canvas(net, pages, piece);
+  ASSERT_GT(faces.min.x - with_tabs.min.x + faces.min.y - with_tabs.min.y, 0.5);
+  const HandLayout before = placed;
+  placed.places[0].turn = shift(-faces.min.x, faces.min.y) * placed.places[0].turn;
+  EXPECT_TRUE(misplaced_with(no_tabs()).over_edge.empty());
+  EXPECT_EQ(misplaced_with(project.tabs).over_edge, std::vector<int>{piece});
+  // Coming from any side, tabs cover the other piece no later than faces do, and somewhere earlier.
+  const glm::dvec2 way = box_on_canvas(net, pages, 1 - piece).centre() - with_tabs.centre();
+  int n_earlier = 0;
+  for (int k = 0; k < 8; ++k) {
+    const glm::dvec2 step = Rigid2::rotation(k * 0.785).rotate({1, 0});
+    const auto steps_until_covered = [&](const TabSettings& tabs) {
+      placed = before;
+      const glm::dvec2 start = way - 300.0 * step;
+      placed.places[0].turn = shift(start.x, -start.y) * placed.places[0].turn;
+      int steps = 0;
+      for (; misplaced_with(tabs).overlapping.empty() && steps < 400; ++steps)
+        placed.places[0].turn = shift(step.x, -step.y) * placed.places[0].turn;
+      return steps;
+    };
+    const int with = steps_until_covered(project.tabs);
+    const int without = steps_until_covered(no_tabs());
+    EXPECT_LE(with, without);
+    n_earlier += with < without ? 1 : 0;
+  }
+  EXPECT_GT(n_earlier, 0);
+}
+
 TEST(Placing, WhatIsPlacedAsItLiesLiesAsBefore) {
   const auto derived = derived_of(solved_pair());
   const Net& net = derived->shown->net;
@@ -69,7 +116,7 @@ TEST(Placing, WhatIsPlacedAsItLiesLiesAsBefore) {
 }
 
 TEST(Placing, TilesStayThoseThatTheNetMeets) {
-  Project project = solved(project_of(shapes::icosphere(3)));
+  Project project = bare(shapes::icosphere(3));
   project.size = {PrintSize::Kind::Height, 300};
   const auto derived = derived_of(project);
   ASSERT_GT(derived->pages->pages.size(), 1U);
@@ -130,7 +177,7 @@ TEST(Placing, PlacesOfOtherPiecesAreNoLayout) {
 }
 
 TEST(Placing, ACutLeavesBothPartsWhereTheyLie) {
-  Project project = solved(project_of(shapes::icosphere(2)));
+  Project project = bare(shapes::icosphere(2));
   const auto before = derived_of(project);
   project.placed = as_it_lies(*before);
   project.placed.places[0].turn = Rigid2::rotation(kTurn_rad) * project.placed.places[0].turn;
@@ -155,7 +202,7 @@ TEST(Placing, ACutLeavesBothPartsWhereTheyLie) {
 }
 
 TEST(Placing, AJoinMovesOnlyWhatSwingsOver) {
-  Project project = solved(project_of(shapes::icosphere(2)));
+  Project project = bare(shapes::icosphere(2));
   const Mesh& mesh = project.dual->mesh();
   project.placed = as_it_lies(*derived_of(project));
   const auto may_cut = [](EdgeId) { return true; };
@@ -295,7 +342,7 @@ TEST(SnappedTurn, PrefersTheNearerOfStepsAndEdges) {
 }
 
 TEST(LevelTurns, LayAnEdgeLevelOrUpright) {
-  const auto derived = derived_of(solved(project_of(shapes::tetrahedron())));
+  const auto derived = derived_of(bare(shapes::tetrahedron()));
   const Net& net = derived->shown->net;
   const auto turns = level_turns(net, *derived->pages, {0});
   ASSERT_FALSE(turns.empty());

@@ -81,8 +81,20 @@ void set_motion(UiContext& c, const Rigid2& motion) {
   a.goal = move_pieces(net, *a.layout, motions_of(a));
   a.misplaced.clear();
   if (net.mesh().n_faces() > kMostChecked) return;
-  const auto layout = lay_out(net, c.session.project().paper, a.goal);
+  const auto layout = lay_out(net, c.session.project().paper, a.goal, a.layout->tabs);
   if (layout) a.misplaced = find_misplaced(net, *layout).faces;
+}
+
+/// What snaps to the edge of the sheet is the paper to be cut out, tabs and all.
+void add_tabs(const Net& net, const PageLayout& layout, std::vector<Box2>& boxes) {
+  for (const GlueTab& tab : layout.tabs.tabs) {
+    const int piece = net.piece[net.mesh().face(tab.side)];
+    const double left = canvas_left(layout, layout.pieces[static_cast<std::size_t>(piece)].canvas);
+    for (const glm::dvec2 p : tab.points) {
+      const glm::dvec2 at = layout.on_canvas_mm(piece, p);
+      boxes[static_cast<std::size_t>(piece)].add(glm::dvec2(left + at.x, -at.y) / layout.scale);
+    }
+  }
 }
 
 void take_hold(UiContext& c, const Scene& scene, Arranging::Grip grip, glm::dvec2 at) {
@@ -93,6 +105,7 @@ void take_hold(UiContext& c, const Scene& scene, Arranging::Grip grip, glm::dvec
   a.shown = c.session.shown();
   a.layout = c.session.pages();
   a.boxes = piece_boxes(*scene.net());
+  add_tabs(a.shown->net, *a.layout, a.boxes);
   a.box = Box2();
   for (const int piece : a.pieces) a.box.add(a.boxes[static_cast<std::size_t>(piece)]);
   a.levels = level_turns(a.shown->net, *a.layout, a.pieces);

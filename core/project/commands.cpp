@@ -19,8 +19,8 @@ HandLayout placed_at(const Project& project, const PrintSize& size) {
     const std::optional<double> scale = scale_of(project.dual->mesh(), size);
     if (!scale) return {};
     const Net net = layout(project.dual, *project.tree);
-    const std::optional<PageLayout> pages = lay_out(net, project.paper, project.placed);
-    return pages ? resize_pieces(net, project.paper, *pages, *scale) : HandLayout();
+    const std::optional<PageLayout> pages = lay_out(net, project.paper, project.placed, project.tabs);
+    return pages ? resize_pieces(net, project.paper, *pages, *scale, project.tabs) : HandLayout();
   } catch (const Error&) {
     return {};  // a size that says nothing, or paper without room: that is told where the pages are made
   }

@@ -312,7 +312,8 @@ void Session::go_to_step(std::size_t position) {
 
 std::shared_ptr<const std::vector<Sheet>> Session::sheets() const {
   if (impl_->run || impl_->is_unfinished || !impl_->derived) return nullptr;
-  return impl_->derived->sheets;
+  const bool is_of_this_net = impl_->derived->source.tree == project().tree;
+  return is_of_this_net ? impl_->derived->sheets : nullptr;
 }
 
 void Session::export_to(const std::filesystem::path& path) {

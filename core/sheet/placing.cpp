@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "core/base/counted.h"
-#include "core/sheet/outline.h"
+#include "core/base/polygon2.h"
+#include "core/sheet/piece_shapes.h"
 #include "core/sheet/print_style.h"
 #include "core/sheet/tiles.h"
 #include "core/unfold/overlap.h"
@@ -48,15 +52,12 @@ std::optional<std::vector<PageLayout::Placement>> placements(const Net& net, con
 using Outlines = std::vector<std::vector<Segment>>;
 
 /// What lies on each canvas.
-Outlines outlines_on(const Net& net, const PageLayout& layout) {
+Outlines outlines_on(const PieceShapes& shapes, const PageLayout& layout) {
   Outlines outlines(layout.canvases.size());
-  for (const OutlineLoop& loop : outline_loops(net)) {
-    const auto canvas = static_cast<std::size_t>(layout.pieces[static_cast<std::size_t>(loop.piece)].canvas);
-    for (std::size_t i = 0; i < loop.sides.size(); ++i)
-      outlines[canvas].emplace_back(
-          layout.on_canvas(loop.piece, net.corner(loop.sides[i])),
-          layout.on_canvas(loop.piece, net.corner(loop.sides[(i + 1) % loop.sides.size()])));
-  }
+  for (std::size_t piece = 0; piece < shapes.pieces.size(); ++piece)
+    for (const auto& [a, b] : sides_of(shapes.pieces[piece].outlines))
+      outlines[static_cast<std::size_t>(layout.pieces[piece].canvas)].emplace_back(
+          layout.on_canvas_mm(static_cast<int>(piece), a), layout.on_canvas_mm(static_cast<int>(piece), b));
   return outlines;
 }
 
@@ -103,17 +104,93 @@ Net on_canvases(Net net, const PageLayout& layout) {
   return net;
 }
 
-bool reaches_over(const Net& net, const PageLayout& layout, FaceId f) {
-  const int piece = net.piece[f];
+bool reaches_over(const PageLayout& layout, int piece, std::span<const glm::dvec2> corners_mm) {
   const auto& canvas =
       layout.canvases[static_cast<std::size_t>(layout.pieces[static_cast<std::size_t>(piece)].canvas)];
-  for (const HalfedgeId h : net.mesh().halfedges(f)) {
-    const glm::dvec2 p = layout.on_canvas(piece, net.corner(h));
-    if (p.x < -kTouch_mm || p.y < -kTouch_mm || p.x > canvas.width_mm + kTouch_mm ||
-        p.y > canvas.height_mm + kTouch_mm)
-      return true;
+  return std::any_of(corners_mm.begin(), corners_mm.end(), [&](glm::dvec2 corner) {
+    const glm::dvec2 p = layout.on_canvas_mm(piece, corner);
+    return p.x < -kTouch_mm || p.y < -kTouch_mm || p.x > canvas.width_mm + kTouch_mm ||
+           p.y > canvas.height_mm + kTouch_mm;
+  });
+}
+
+std::vector<glm::dvec2> corners_mm(const Net& net, const PageLayout& layout, FaceId f) {
+  std::vector<glm::dvec2> corners;
+  for (const HalfedgeId h : net.mesh().halfedges(f)) corners.push_back(net.corner(h) * layout.scale);
+  return corners;
+}
+
+void find_over_edge(const Net& net, const PageLayout& layout, Misplaced& misplaced) {
+  const auto look = [&](FaceId f, std::span<const glm::dvec2> corners) {
+    if (!reaches_over(layout, net.piece[f], corners)) return;
+    misplaced.over_edge.push_back(net.piece[f]);
+    misplaced.faces.push_back(f);
+  };
+  for (const FaceId f : net.mesh().faces()) look(f, corners_mm(net, layout, f));
+  for (const GlueTab& tab : layout.tabs.tabs) look(net.mesh().face(tab.side), tab.points);
+}
+
+/// A convex part of a face, or a tab, on its canvas.
+struct Patch {
+  FaceId face;
+  int piece = 0;
+  int canvas = 0;
+  std::vector<glm::dvec2> points;
+  Box2 box;
+};
+
+Patch patch_of(const Net& net, const PageLayout& layout, FaceId f, std::span<const glm::dvec2> points_mm) {
+  const int piece = net.piece[f];
+  Patch patch{f, piece, layout.pieces[static_cast<std::size_t>(piece)].canvas, {}, {}};
+  for (const glm::dvec2 p : points_mm) {
+    patch.points.push_back(layout.on_canvas_mm(piece, p));
+    patch.box.add(patch.points.back());
   }
-  return false;
+  return patch;
+}
+
+/// How far the two would have to be moved apart along the best of the first one's sides.
+double depth_by_sides(const Patch& of, const Patch& other) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < of.points.size(); ++i) {
+    const glm::dvec2 a = of.points[i];
+    const glm::dvec2 along = of.points[(i + 1) % of.points.size()] - a;
+    const double length = glm::length(along);
+    if (!(length > 0)) continue;
+    // On paper y points down, so a counter-clockwise outline has its inside on the right.
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (const glm::dvec2 p : other.points) deepest = std::max(deepest, -cross(along, p - a) / length);
+    least = std::min(least, deepest);
+  }
+  return least;
+}
+
+bool cover_each_other(const Patch& a, const Patch& b) {
+  const bool may_meet = a.canvas == b.canvas && a.piece != b.piece && a.box.min.x < b.box.max.x &&
+                        b.box.min.x < a.box.max.x && a.box.min.y < b.box.max.y && b.box.min.y < a.box.max.y;
+  return may_meet && depth_by_sides(a, b) > kTouch_mm && depth_by_sides(b, a) > kTouch_mm;
+}
+
+/// Tabs that cover another piece, its faces or its tabs.
+void find_covering_tabs(const Net& net, const PageLayout& layout, Misplaced& misplaced) {
+  std::vector<Patch> tabs;
+  for (const GlueTab& tab : layout.tabs.tabs)
+    tabs.push_back(patch_of(net, layout, net.mesh().face(tab.side), tab.points));
+  std::vector<Patch> all = tabs;
+  for (const FaceId f : net.mesh().faces()) {
+    const std::vector<glm::dvec2> corners = corners_mm(net, layout, f);
+    for (const std::vector<int>& part : convex_parts(corners)) {
+      std::vector<glm::dvec2> points;
+      for (const int i : part) points.push_back(corners[static_cast<std::size_t>(i)]);
+      all.push_back(patch_of(net, layout, f, points));
+    }
+  }
+  for (const Patch& tab : tabs)
+    for (const Patch& other : all) {
+      if (!cover_each_other(tab, other)) continue;
+      misplaced.overlapping.emplace_back(std::min(tab.piece, other.piece), std::max(tab.piece, other.piece));
+      misplaced.faces.insert(misplaced.faces.end(), {tab.face, other.face});
+    }
 }
 
 template <class Value>
@@ -138,7 +215,12 @@ HandLayout as_placed(const Net& net, const PageLayout& layout) {
 }
 
 std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed,
-                                  const TabSettings& /*tabs*/) {
+                                  const TabSettings& tabs) {
+  return lay_out(net, paper, placed, tabs.is_on ? place_tabs(net, placed.scale, tabs) : GlueTabs());
+}
+
+std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed,
+                                  GlueTabs tabs) {
   const std::optional<PageFrame> frame = frame_of(paper, placed.is_landscape);
   auto pieces = placements(net, placed);
   if (!frame || !pieces) return std::nullopt;
@@ -149,7 +231,9 @@ std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const
   layout.overlap_mm = print_style::kTileOverlap;
   layout.pieces = std::move(*pieces);
   add_canvases(layout, placed);
-  add_pages(layout, outlines_on(net, layout));
+  PieceShapes shapes = piece_shapes(net, layout.scale, std::move(tabs));
+  add_pages(layout, outlines_on(shapes, layout));
+  layout.tabs = std::move(shapes.tabs);
   return layout;
 }
 
@@ -179,11 +263,7 @@ HandLayout carry_places(const HandLayout& placed, const Net& before, const Net& 
 
 Misplaced find_misplaced(const Net& net, const PageLayout& layout) {
   Misplaced misplaced;
-  for (const FaceId f : net.mesh().faces()) {
-    if (!reaches_over(net, layout, f)) continue;
-    misplaced.over_edge.push_back(net.piece[f]);
-    misplaced.faces.push_back(f);
-  }
+  find_over_edge(net, layout, misplaced);
   if (net.n_pieces > 1) {
     const double depth = kTouch_mm / (layout.scale * net.mesh().mean_edge());
     for (const Overlap& overlap : find_overlaps(on_canvases(net, layout), depth)) {
@@ -192,6 +272,7 @@ Misplaced find_misplaced(const Net& net, const PageLayout& layout) {
       misplaced.overlapping.emplace_back(low, high);
       misplaced.faces.insert(misplaced.faces.end(), {overlap.first, overlap.second});
     }
+    find_covering_tabs(net, layout, misplaced);
   }
   make_unique(misplaced.over_edge);
   make_unique(misplaced.overlapping);

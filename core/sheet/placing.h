@@ -45,6 +45,9 @@ HandLayout as_placed(const Net& net, const PageLayout& layout);
 /// Error(Usage) as arrange() does: unknown paper, margins that leave no room.
 std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed,
                                   const TabSettings& tabs = no_tabs());
+/// With tabs that were placed for this net at this scale: where the pieces lie does not change them.
+std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const HandLayout& placed,
+                                  GlueTabs tabs);
 
 /// The same places for a net that was edited: what was not `moved` stays where it lies, and what came off
 /// stays there, too. `before` and `after` are nets of one model. Automatic when `placed` does not fit

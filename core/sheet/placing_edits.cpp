@@ -78,7 +78,8 @@ HandLayout move_pieces(const Net& net, const PageLayout& layout, const std::vect
   return placed;
 }
 
-HandLayout resize_pieces(const Net& net, const PaperSetup& paper, const PageLayout& layout, double scale) {
+HandLayout resize_pieces(const Net& net, const PaperSetup& paper, const PageLayout& layout, double scale,
+                         const TabSettings& tabs) {
   const bool has_tiles = std::any_of(layout.canvases.begin(), layout.canvases.end(),
                                      [](const PageLayout::Canvas& canvas) { return canvas.is_tiled(); });
   if (has_tiles) return {};
@@ -92,7 +93,7 @@ HandLayout resize_pieces(const Net& net, const PaperSetup& paper, const PageLayo
     place.turn.y = offset.y;
   }
   placed.scale = scale;
-  const std::optional<PageLayout> resized = lay_out(net, paper, placed);
+  const std::optional<PageLayout> resized = lay_out(net, paper, placed, tabs);
   return resized && find_misplaced(net, *resized).is_nothing() ? placed : HandLayout();
 }
 
@@ -101,6 +102,10 @@ Box2 box_on_canvas(const Net& net, const PageLayout& layout, int piece) {
   for (const FaceId f : net.mesh().faces()) {
     if (net.piece[f] != piece) continue;
     for (const HalfedgeId h : net.mesh().halfedges(f)) box.add(layout.on_canvas(piece, net.corner(h)));
+  }
+  for (const GlueTab& tab : layout.tabs.tabs) {
+    if (net.piece[net.mesh().face(tab.side)] != piece) continue;
+    for (const glm::dvec2 p : tab.points) box.add(layout.on_canvas_mm(piece, p));
   }
   return box;
 }

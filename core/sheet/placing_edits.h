@@ -20,7 +20,8 @@ HandLayout move_pieces(const Net& net, const PageLayout& layout, const std::vect
 
 /// The layout at another scale: every piece keeps its angle and the middle of its box. Automatic when pieces
 /// would be misplaced then, or lie on tiles, whose number depends on the size.
-HandLayout resize_pieces(const Net& net, const PaperSetup& paper, const PageLayout& layout, double scale);
+HandLayout resize_pieces(const Net& net, const PaperSetup& paper, const PageLayout& layout, double scale,
+                         const TabSettings& tabs = no_tabs());
 
 enum class Align { Left, Right, Top, Bottom, CentreAcross, CentreUpright };
 
@@ -29,7 +30,7 @@ enum class Align { Left, Right, Top, Bottom, CentreAcross, CentreUpright };
 HandLayout align_pieces(const Net& net, const PageLayout& layout, const std::vector<int>& pieces,
                         Align where);
 
-/// Box of a piece on its canvas, in mm, y down.
+/// Box of a piece with its tabs on its canvas, in mm, y down.
 Box2 box_on_canvas(const Net& net, const PageLayout& layout, int piece);
 
 /// By how much these pieces are turned so that one of their longest outer edges comes to lie level or

@@ -1,0 +1,19 @@
+// Lays the pieces of a net out on pages of one orientation, at one size.
+#pragma once
+
+#include <optional>
+
+#include "core/sheet/pages.h"
+#include "core/sheet/piece_shapes.h"
+
+namespace netwright {
+
+inline constexpr std::size_t kMostPages = 1000;
+
+/// How much of the room a box takes: over 1 it does not fit.
+double fill_factor(glm::dvec2 size, glm::dvec2 room);
+
+/// Everything but the layout's tabs. Nothing when more than kMostPages would be needed.
+std::optional<PageLayout> arrange_on(const PieceShapes& shapes, const PageFrame& frame);
+
+}  // namespace netwright
