@@ -93,8 +93,8 @@ TEST(TileTag, CountsLikeASpreadsheet) {
 }
 
 TEST(NeededTiles, KeepsATileThatLiesWhollyInsideTheShape) {
-  const TileGrid grid = TileGrid::covering({270, 270}, {100, 100}, 10);
-  ASSERT_EQ(grid.columns, 3);
+  ASSERT_EQ(tiles_for({270, 270}, {100, 100}, 10), std::pair(3, 3));
+  const TileGrid grid = TileGrid::even({100, 100}, 10, 3, 3, {{5, 5}, {275, 275}});
   const std::vector<glm::dvec2> square = {{5, 5}, {275, 5}, {275, 275}, {5, 275}};
   std::vector<Segment> outline;
   for (std::size_t i = 0; i < 4; ++i) outline.emplace_back(square[i], square[(i + 1) % 4]);
@@ -102,7 +102,7 @@ TEST(NeededTiles, KeepsATileThatLiesWhollyInsideTheShape) {
 }
 
 TEST(NeededTiles, LeavesOutTilesBesideTheShape) {
-  const TileGrid grid = TileGrid::covering({270, 270}, {100, 100}, 10);
+  const TileGrid grid = TileGrid::even({100, 100}, 10, 3, 3, {{5, 5}, {80, 80}});
   const std::vector<Segment> corner = {{{5, 5}, {80, 5}}, {{80, 5}, {5, 80}}, {{5, 80}, {5, 5}}};
   const std::vector<char> needed = needed_tiles(grid, corner);
   EXPECT_EQ(std::count(needed.begin(), needed.end(), 1), 1);
@@ -261,12 +261,10 @@ TEST(Arrange, TilesWhatIsLargerThanThePaper) {
   EXPECT_GT(layout.pages.size(), 1U);
   expect_inside(box_on_canvas(net, layout, 0),
                 {{0, 0}, {layout.canvases[0].width_mm, layout.canvases[0].height_mm}});
-  const glm::dvec2 stride = layout.frame.net.size() - layout.overlap_mm;
   std::map<std::string, int> tags;
   for (const PageLayout::Page& page : layout.pages) {
     ++tags[page.tag];
-    EXPECT_NEAR(page.origin.x, page.column * stride.x, 1e-9);
-    EXPECT_NEAR(page.origin.y, page.row * stride.y, 1e-9);
+    expect_inside(page.shown, {page.origin, page.origin + layout.frame.net.size()});
   }
   EXPECT_EQ(tags.size(), layout.pages.size()) << "every tile has a tag of its own";
 }

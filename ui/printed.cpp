@@ -12,8 +12,9 @@ constexpr double kGapMm = 15;  ///< between a front and its back, and before wha
 /// A tile shows the part of the canvas that it prints.
 std::optional<Box2> clip_of(const PageLayout& layout, const PageLayout::Page& page) {
   if (!layout.canvases[static_cast<std::size_t>(page.canvas)].is_tiled()) return std::nullopt;
-  const glm::dvec2 from = page.origin + glm::dvec2(canvas_left(layout, page.canvas), 0);
-  const glm::dvec2 to = from + layout.frame.net.size();
+  const glm::dvec2 left(canvas_left(layout, page.canvas), 0);
+  const glm::dvec2 from = page.shown.min + left;
+  const glm::dvec2 to = page.shown.max + left;
   Box2 box;
   box.add(glm::dvec2(from.x, -from.y) / layout.scale);
   box.add(glm::dvec2(to.x, -to.y) / layout.scale);

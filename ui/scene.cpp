@@ -33,15 +33,13 @@ Box2 flipped(glm::dvec2 corner, glm::dvec2 size, double scale) {
 SheetOutline outline_of(const PageLayout& layout, const PageLayout::Page& page) {
   const PageFrame& frame = layout.frame;
   const glm::dvec2 shift(canvas_left(layout, page.canvas), 0);
-  const glm::dvec2 origin = page.origin + shift;
-  const glm::dvec2 net_size = frame.net.size();
   if (layout.canvases[static_cast<std::size_t>(page.canvas)].is_tiled()) {
-    const glm::dvec2 inset(std::min(layout.overlap_mm, net_size.x / 4),
-                           std::min(layout.overlap_mm, net_size.y / 4));
-    return {flipped(origin, net_size, layout.scale),
-            flipped(origin + inset, net_size - 2.0 * inset, layout.scale)};
+    const glm::dvec2 size = page.shown.size();
+    const glm::dvec2 inset = glm::min(glm::dvec2(layout.overlap_mm), size / 4.0);
+    return {flipped(page.shown.min + shift, size, layout.scale),
+            flipped(page.shown.min + shift + inset, size - 2.0 * inset, layout.scale)};
   }
-  const glm::dvec2 corner = origin - frame.net.min;
+  const glm::dvec2 corner = page.origin + shift - frame.net.min;
   return {flipped(corner, {frame.width_mm, frame.height_mm}, layout.scale),
           flipped(corner + frame.printable.min, frame.printable.size(), layout.scale)};
 }

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "core/sheet/best_angle.h"
 #include "core/sheet/pack.h"
 #include "core/sheet/print_style.h"
-#include "core/sheet/tiles.h"
+#include "core/sheet/tile_seams.h"
 
 namespace netwright {
 
@@ -18,6 +19,7 @@ using print_style::kPieceGap;
 using print_style::kTileOverlap;
 
 constexpr std::size_t kMostTilesSearched = 400;
+constexpr std::size_t kMostTilesDrawn = 4000;
 
 /// Puts a piece on a canvas so that its box's upper left corner (y down) is at `corner`.
 PageLayout::Placement placed_at(const Hull& hull_mm, double angle_rad, int canvas, glm::dvec2 corner) {
@@ -60,59 +62,64 @@ class Arranger {
  private:
   [[nodiscard]] glm::dvec2 room() const { return layout_.frame.net.size(); }
 
-  [[nodiscard]] std::vector<Segment> outline_on_canvas(std::size_t piece) const {
-    std::vector<Segment> outline;
-    for (const auto& [a, b] : sides_of(shapes_.pieces[piece].outlines))
-      outline.emplace_back(layout_.on_canvas_mm(static_cast<int>(piece), a),
-                           layout_.on_canvas_mm(static_cast<int>(piece), b));
-    return outline;
-  }
+  /// A way to lay a piece out on a grid of tiles of its own, in the middle of it.
+  struct Tiled {
+    double angle_rad = 0;
+    PageLayout::Placement place;
+    Tiling tiling;
+    double fill = 0;  ///< of the canvas, by the piece's box
 
-  /// Centres the piece on a grid of tiles of its own and says which of them it needs.
-  std::pair<TileGrid, std::vector<char>> try_tiles(std::size_t piece, const Hull& hull, double angle) {
-    const glm::dvec2 size = turned_box(hull, angle).size();
-    const TileGrid grid = TileGrid::covering(size, room(), kTileOverlap);
-    layout_.pieces[piece] =
-        placed_at(hull, angle, static_cast<int>(layout_.canvases.size()), (grid.size() - size) * 0.5);
-    const std::size_t count = grid.index(0, grid.rows);
-    if (count > kMostTilesSearched * 10) return {grid, {}};
-    return {grid, needed_tiles(grid, outline_on_canvas(piece))};
-  }
-
-  /// The angle with the fewest tiles; among equals the one that fills its grid least.
-  double best_tiling_angle(std::size_t piece, const Hull& hull) {
-    constexpr int kAngles = 60;
-    double best = 0;
-    std::pair<double, double> best_cost{std::numeric_limits<double>::infinity(), 0};
-    for (int k = 0; k < kAngles; ++k) {
-      const double angle = k * 3.14159265358979323846 / kAngles;
-      const glm::dvec2 size = turned_box(hull, angle).size();
-      const TileGrid grid = TileGrid::covering(size, room(), kTileOverlap);
-      double count = static_cast<double>(grid.columns) * grid.rows;
-      if (count <= static_cast<double>(kMostTilesSearched)) {
-        const std::vector<char> is_needed = try_tiles(piece, hull, angle).second;
-        count = static_cast<double>(std::count(is_needed.begin(), is_needed.end(), 1));
-      }
-      const std::pair cost(count, fill_factor(size, grid.size()));
-      if (cost < best_cost) {
-        best = angle;
-        best_cost = cost;
-      }
+    [[nodiscard]] bool is_better_than(const Tiled& other) const {
+      if (is_better(tiling, other.tiling)) return true;
+      return !is_better(other.tiling, tiling) && fill < other.fill;
     }
-    return best;
+  };
+
+  /// `best_seams` takes a while; else the seams are evenly spaced.
+  [[nodiscard]] Tiled tiled_at(std::size_t piece, double angle_rad, bool best_seams) const {
+    const PieceShape& shape = shapes_.pieces[piece];
+    const glm::dvec2 size = turned_box(shape.hull, angle_rad).size();
+    const auto [columns, rows] = tiles_for(size, room(), kTileOverlap);
+    const glm::dvec2 canvas = TileGrid::even(room(), kTileOverlap, columns, rows, {}).size();
+    Tiled tiled{angle_rad, {}, {}, fill_factor(size, canvas)};
+    tiled.place =
+        placed_at(shape.hull, angle_rad, static_cast<int>(layout_.canvases.size()), (canvas - size) * 0.5);
+    TiledArea area;
+    add_to_area(area, shape, tiled.place.turn);
+    const auto make_tiling = best_seams ? best_tiling : even_tiling;
+    tiled.tiling = make_tiling(area, room(), kTileOverlap, columns, rows);
+    return tiled;
+  }
+
+  [[nodiscard]] std::size_t n_tiles_at(const Hull& hull, double angle_rad) const {
+    const auto [columns, rows] = tiles_for(turned_box(hull, angle_rad).size(), room(), kTileOverlap);
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  }
+
+  /// The angle and the seams with the fewest sheets and, among equals, the fewest marks cut. Where that would
+  /// take too long, the angle whose grid has the fewest tiles.
+  [[nodiscard]] std::optional<Tiled> best_tiled(std::size_t piece, const Hull& hull) const {
+    constexpr int kAngles = 60;
+    std::optional<Tiled> best;
+    std::pair<std::size_t, double> fewest{std::numeric_limits<std::size_t>::max(), 0};
+    for (int k = 0; k < kAngles; ++k) {
+      const double angle_rad = k * std::numbers::pi / kAngles;
+      const std::size_t n_tiles = n_tiles_at(hull, angle_rad);
+      fewest = std::min(fewest, std::pair(n_tiles, angle_rad));
+      if (n_tiles > kMostTilesSearched) continue;
+      Tiled tiled = tiled_at(piece, angle_rad, true);
+      if (!best || tiled.is_better_than(*best)) best = std::move(tiled);
+    }
+    if (best || fewest.first > kMostTilesDrawn) return best;
+    return tiled_at(piece, fewest.second, false);
   }
 
   bool tile(std::size_t piece, const Hull& hull) {
-    const auto [grid, is_needed] = try_tiles(piece, hull, best_tiling_angle(piece, hull));
-    if (is_needed.empty()) return false;
-    PageLayout::Canvas canvas{grid.size().x, grid.size().y, grid.columns, grid.rows, n_lettered_rows_};
-    for (int row = 0; row < grid.rows; ++row)
-      for (int column = 0; column < grid.columns; ++column)
-        if (is_needed[grid.index(column, row)] != 0)
-          layout_.pages.push_back({static_cast<int>(layout_.canvases.size()), column, row,
-                                   grid.origin(column, row), tile_tag(n_lettered_rows_ + row, column)});
-    n_lettered_rows_ += grid.rows;
-    layout_.canvases.push_back(canvas);
+    std::optional<Tiled> tiled = best_tiled(piece, hull);
+    if (!tiled) return false;
+    layout_.pieces[piece] = tiled->place;
+    add_tiled_canvas(layout_, tiled->tiling, n_lettered_rows_);
+    n_lettered_rows_ += tiled->tiling.grid.rows();
     return true;
   }
 
@@ -165,6 +172,18 @@ class Arranger {
 }  // namespace
 
 double fill_factor(glm::dvec2 size, glm::dvec2 room) { return std::max(size.x / room.x, size.y / room.y); }
+
+void add_tiled_canvas(PageLayout& layout, const Tiling& tiling, int first_row_letter) {
+  const TileGrid& grid = tiling.grid;
+  const auto canvas = static_cast<int>(layout.canvases.size());
+  for (int row = 0; row < grid.rows(); ++row)
+    for (int column = 0; column < grid.columns(); ++column)
+      if (tiling.is_needed[grid.index(column, row)] != 0)
+        layout.pages.push_back({canvas, column, row, grid.origin(column, row),
+                                tile_tag(first_row_letter + row, column), grid.shown(column, row)});
+  layout.canvases.push_back({grid.size().x, grid.size().y, grid.columns(), grid.rows(), first_row_letter,
+                             grid.column_seams, grid.row_seams});
+}
 
 std::optional<PageLayout> arrange_on(const PieceShapes& shapes, const PageFrame& frame) {
   return Arranger(shapes, frame).run();

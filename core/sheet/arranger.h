@@ -5,6 +5,7 @@
 
 #include "core/sheet/pages.h"
 #include "core/sheet/piece_shapes.h"
+#include "core/sheet/tile_seams.h"
 
 namespace netwright {
 
@@ -12,6 +13,9 @@ inline constexpr std::size_t kMostPages = 1000;
 
 /// How much of the room a box takes: over 1 it does not fit.
 double fill_factor(glm::dvec2 size, glm::dvec2 room);
+
+/// The canvas after the last one, and the pages of the tiles that are needed.
+void add_tiled_canvas(PageLayout& layout, const Tiling& tiling, int first_row_letter);
 
 /// Everything but the layout's tabs. Nothing when more than kMostPages would be needed.
 std::optional<PageLayout> arrange_on(const PieceShapes& shapes, const PageFrame& frame);

@@ -38,7 +38,11 @@ struct PageView {
   bool is_mirrored = false;
   Box2 frame;  ///< on the page
 
-  [[nodiscard]] Box2 window() const { return {page.origin, page.origin + layout.frame.net.size()}; }
+  /// What of the canvas is drawn.
+  [[nodiscard]] Box2 window() const {
+    const Box2 all{page.origin, page.origin + layout.frame.net.size()};
+    return page.shown.is_empty() ? all : page.shown;
+  }
   [[nodiscard]] glm::dvec2 at(glm::dvec2 on_canvas) const {
     const glm::dvec2 p = on_canvas - page.origin;
     return {is_mirrored ? frame.max.x - p.x : frame.min.x + p.x, frame.min.y + p.y};
@@ -61,7 +65,7 @@ inline constexpr double kDarkGround = 0.42;
 /// A stroke in the style of its layer (the net's own, not Print), dashes fitted to its length.
 Stroke net_stroke(const LineStyles& styles, Layer layer, glm::dvec2 from, glm::dvec2 to);
 
-/// Crosses in the middle of the overlaps, the tile's borders and the neighbours' names.
+/// Crosses on the seams, the lines to cut along, the bands to glue and the neighbours' names.
 void draw_tile_marks(Sheet& sheet, const PageView& view, const Font& font);
 
 /// The words of the title block that are the same on every page.

@@ -15,19 +15,6 @@ namespace {
 
 using namespace print_style;
 
-/// The tile one step away, if it is printed; else null.
-const PageLayout::Page* neighbour(const PageLayout& layout, const PageLayout::Page& page, int right,
-                                  int down) {
-  for (const PageLayout::Page& other : layout.pages)
-    if (other.canvas == page.canvas && other.column == page.column + right && other.row == page.row + down)
-      return &other;
-  return nullptr;
-}
-
-Stroke mark(glm::dvec2 from, glm::dvec2 to) {
-  return {Layer::Regmarks, {from, to}, false, kHairlineWidth, kQuietInk, {}, 0};
-}
-
 }  // namespace
 
 IdVector<EdgeId, EdgeKind> drawn_kinds(const Net& net, const SheetSettings& settings) {
@@ -186,48 +173,6 @@ void draw_cuts(Sheet& sheet, const NetLines& lines, const PageView& view, const 
       sheet.strokes.push_back(cut);
       if (!sheet.pictures.empty()) show_cut_on_ground(sheet, cut);
     }
-  }
-}
-
-void draw_tile_marks(Sheet& sheet, const PageView& view, const Font& font) {
-  constexpr double kArm = 3;
-  constexpr double kNameSize = 2.6;
-  const Box2 frame = view.frame;
-  const PageLayout& layout = view.layout;
-  const int right = view.is_mirrored ? -1 : 1;
-  const double half = layout.overlap_mm / 2;
-  for (const double x : {frame.min.x + half, frame.max.x - half})
-    for (const double y : {frame.min.y + half, frame.max.y - half}) {
-      sheet.strokes.push_back(mark({x - kArm, y}, {x + kArm, y}));
-      sheet.strokes.push_back(mark({x, y - kArm}, {x, y + kArm}));
-    }
-  const auto name = [&](const std::string& words, glm::dvec2 centre) {
-    const double width = font.width(words, kNameSize);
-    sheet.texts.push_back({Layer::Print, centre + glm::dvec2(-width / 2, kNameSize * 0.36), words, kNameSize,
-                           FontWeight::Regular, kQuietInk});
-  };
-  const auto border = [&](glm::dvec2 from, glm::dvec2 to) {
-    Stroke stroke = mark(from, to);
-    stroke.colour = kHairline;
-    sheet.strokes.push_back(std::move(stroke));
-  };
-  // Names stand beside the crosses, where the middle of an edge would more often meet the net.
-  const double beside = layout.overlap_mm * 1.15;
-  if (const auto* const other = neighbour(layout, view.page, -right, 0)) {
-    border(frame.min, {frame.min.x, frame.max.y});
-    name(other->tag, {frame.min.x + half, frame.min.y + beside});
-  }
-  if (const auto* const other = neighbour(layout, view.page, right, 0)) {
-    border({frame.max.x, frame.min.y}, frame.max);
-    name(other->tag, {frame.max.x - half, frame.min.y + beside});
-  }
-  if (const auto* const other = neighbour(layout, view.page, 0, -1)) {
-    border(frame.min, {frame.max.x, frame.min.y});
-    name(other->tag, {frame.min.x + beside, frame.min.y + half});
-  }
-  if (const auto* const other = neighbour(layout, view.page, 0, 1)) {
-    border({frame.min.x, frame.max.y}, frame.max);
-    name(other->tag, {frame.min.x + beside, frame.max.y - half});
   }
 }
 

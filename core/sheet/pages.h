@@ -22,6 +22,10 @@ struct PageLayout {
     int columns = 1;
     int rows = 1;
     int first_row_letter = 0;  ///< rows are lettered on over the canvases: 0 = A
+    /// Where neighbouring sheets are joined, in mm on the canvas; the windows of both reach over the seam by
+    /// half of overlap_mm at least. One fewer than columns and rows.
+    std::vector<double> column_seams = {};
+    std::vector<double> row_seams = {};
     [[nodiscard]] bool is_tiled() const { return columns * rows > 1; }
   };
   /// One printed page: it shows the canvas from `origin` on, in frame.net.
@@ -31,6 +35,9 @@ struct PageLayout {
     int row = 0;
     glm::dvec2 origin{0, 0};  ///< canvas point at the top left corner of frame.net
     std::string tag;          ///< "A1", "B3" …: row and column; empty on a canvas of one page
+    /// What of the canvas is drawn: a tile ends half of overlap_mm beyond its seams; empty for all of
+    /// frame.net.
+    Box2 shown = {};
   };
   struct Placement {
     int canvas = 0;
@@ -40,7 +47,7 @@ struct PageLayout {
   double scale = 1;            ///< mm per model unit
   double model_height_mm = 0;  ///< what the finished model measures along its up axis
   PageFrame frame;             ///< of every page
-  double overlap_mm = 10;      ///< between neighbouring tiles
+  double overlap_mm = 10;      ///< of neighbouring tiles, at least
   std::vector<Placement> pieces;
   std::vector<Canvas> canvases;
   std::vector<Page> pages;  ///< in print order; tiles that no face touches are left out

@@ -9,9 +9,9 @@
 
 #include "core/base/counted.h"
 #include "core/base/polygon2.h"
+#include "core/sheet/arranger.h"
 #include "core/sheet/piece_shapes.h"
 #include "core/sheet/print_style.h"
-#include "core/sheet/tiles.h"
 #include "core/unfold/overlap.h"
 
 namespace netwright {
@@ -49,44 +49,24 @@ std::optional<std::vector<PageLayout::Placement>> placements(const Net& net, con
   return pieces;
 }
 
-using Outlines = std::vector<std::vector<Segment>>;
-
-/// What lies on each canvas.
-Outlines outlines_on(const PieceShapes& shapes, const PageLayout& layout) {
-  Outlines outlines(layout.canvases.size());
+/// Canvases and pages; a canvas without pieces gives no page.
+void add_canvases(PageLayout& layout, const HandLayout& placed, const PieceShapes& shapes) {
+  const glm::dvec2 room = layout.frame.net.size();
+  std::vector<TiledArea> areas(placed.canvases.size());
   for (std::size_t piece = 0; piece < shapes.pieces.size(); ++piece)
-    for (const auto& [a, b] : sides_of(shapes.pieces[piece].outlines))
-      outlines[static_cast<std::size_t>(layout.pieces[piece].canvas)].emplace_back(
-          layout.on_canvas_mm(static_cast<int>(piece), a), layout.on_canvas_mm(static_cast<int>(piece), b));
-  return outlines;
-}
-
-void add_canvases(PageLayout& layout, const HandLayout& placed) {
+    add_to_area(areas[static_cast<std::size_t>(layout.pieces[piece].canvas)], shapes.pieces[piece],
+                layout.pieces[piece].turn);
   int n_lettered_rows = 0;
-  for (const HandLayout::Canvas& canvas : placed.canvases) {
-    const TileGrid grid{layout.frame.net.size(), layout.overlap_mm, canvas.columns, canvas.rows};
-    const bool is_tiled = canvas.columns * canvas.rows > 1;
-    const glm::dvec2 size = is_tiled ? grid.size() : layout.frame.net.size();
-    layout.canvases.push_back({size.x, size.y, canvas.columns, canvas.rows, is_tiled ? n_lettered_rows : 0});
-    if (is_tiled) n_lettered_rows += canvas.rows;
-  }
-}
-
-void add_pages(PageLayout& layout, const Outlines& outlines) {
-  for (std::size_t c = 0; c < outlines.size(); ++c) {
-    if (outlines[c].empty()) continue;
-    const PageLayout::Canvas& canvas = layout.canvases[c];
-    if (!canvas.is_tiled()) {
-      layout.pages.push_back({static_cast<int>(c), 0, 0, {0, 0}, ""});
-      continue;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const HandLayout::Canvas& canvas = placed.canvases[i];
+    if (canvas.columns * canvas.rows > 1) {
+      const Tiling tiling = best_tiling(areas[i], room, layout.overlap_mm, canvas.columns, canvas.rows);
+      add_tiled_canvas(layout, tiling, n_lettered_rows);
+      n_lettered_rows += canvas.rows;
+    } else {
+      if (!areas[i].box.is_empty()) layout.pages.push_back({static_cast<int>(i), 0, 0, {0, 0}, ""});
+      layout.canvases.push_back({room.x, room.y, 1, 1, 0});
     }
-    const TileGrid grid{layout.frame.net.size(), layout.overlap_mm, canvas.columns, canvas.rows};
-    const std::vector<char> is_needed = needed_tiles(grid, outlines[c]);
-    for (int row = 0; row < grid.rows; ++row)
-      for (int column = 0; column < grid.columns; ++column)
-        if (is_needed[grid.index(column, row)] != 0)
-          layout.pages.push_back({static_cast<int>(c), column, row, grid.origin(column, row),
-                                  tile_tag(canvas.first_row_letter + row, column)});
   }
 }
 
@@ -230,9 +210,8 @@ std::optional<PageLayout> lay_out(const Net& net, const PaperSetup& paper, const
   layout.frame = *frame;
   layout.overlap_mm = print_style::kTileOverlap;
   layout.pieces = std::move(*pieces);
-  add_canvases(layout, placed);
   PieceShapes shapes = piece_shapes(net, layout.scale, std::move(tabs));
-  add_pages(layout, outlines_on(shapes, layout));
+  add_canvases(layout, placed, shapes);
   layout.tabs = std::move(shapes.tabs);
   return layout;
 }

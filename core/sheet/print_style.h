@@ -30,6 +30,7 @@ inline constexpr glm::dvec3 kQuietInk = rgb(0x5b636d);
 inline constexpr glm::dvec3 kPaperInk = rgb(0xffffff);  ///< of words on dark pictures
 inline constexpr glm::dvec3 kHairline = rgb(0xb4bac2);
 inline constexpr glm::dvec3 kMapPaper = rgb(0xdfe3e8);
+inline constexpr glm::dvec3 kGlueBand = rgb(0xe9ebee);
 inline constexpr glm::dvec3 kMapHere = rgb(0x1f2328);
 inline constexpr glm::dvec3 kGood = rgb(0x1a7f37);
 inline constexpr double kHairlineWidth = 0.12;

@@ -20,13 +20,15 @@ int count_for(double size, double window, double overlap) {
   return static_cast<int>(std::clamp(count, 1.0, static_cast<double>(kMostPerSide)));
 }
 
-/// The share of the canvas that only this tile answers for.
-Box2 own_share(const TileGrid& grid, int column, int row) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  const glm::dvec2 low = grid.origin(column, row) + grid.overlap / 2;
-  const glm::dvec2 high = grid.origin(column + 1, row + 1) + grid.overlap / 2;
-  return {{column == 0 ? -kFar : low.x, row == 0 ? -kFar : low.y},
-          {column + 1 == grid.columns ? kFar : high.x, row + 1 == grid.rows ? kFar : high.y}};
+std::vector<double> even_seams(double window, double overlap, int count) {
+  std::vector<double> seams;
+  for (int i = 1; i < count; ++i) seams.push_back(i * (window - overlap) + overlap / 2);
+  return seams;
+}
+
+/// Where a window begins that shows all from `low` to `high`: what is left over lies on both sides.
+double window_start(double low, double high, double window, double size) {
+  return std::clamp((low + high - window) / 2, 0.0, std::max(0.0, size - window));
 }
 
 }  // namespace
@@ -42,24 +44,63 @@ int winding_number(const std::vector<Segment>& outline, glm::dvec2 p) {
   return winding;
 }
 
-TileGrid TileGrid::covering(glm::dvec2 size, glm::dvec2 window, double overlap) {
-  return {window, overlap, count_for(size.x, window.x, overlap), count_for(size.y, window.y, overlap)};
+TileGrid TileGrid::even(glm::dvec2 window, double overlap, int columns, int rows, const Box2& content) {
+  return {window, overlap, content, even_seams(window.x, overlap, columns),
+          even_seams(window.y, overlap, rows)};
+}
+
+Box2 TileGrid::share(int column, int row) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const auto before = [](const std::vector<double>& seams, int i) {
+    return i == 0 ? -kFar : seams[static_cast<std::size_t>(i) - 1];
+  };
+  const auto behind = [](const std::vector<double>& seams, int i) {
+    return static_cast<std::size_t>(i) == seams.size() ? kFar : seams[static_cast<std::size_t>(i)];
+  };
+  return {{before(column_seams, column), before(row_seams, row)},
+          {behind(column_seams, column), behind(row_seams, row)}};
+}
+
+glm::dvec2 TileGrid::origin(int column, int row) const {
+  Box2 shown = share(column, row);
+  shown.min -= overlap / 2;
+  shown.max += overlap / 2;
+  shown.min = glm::max(shown.min, content.min);
+  shown.max = glm::min(shown.max, content.max);
+  return {window_start(shown.min.x, shown.max.x, window.x, size().x),
+          window_start(shown.min.y, shown.max.y, window.y, size().y)};
+}
+
+Box2 TileGrid::shown(int column, int row) const {
+  const glm::dvec2 corner = origin(column, row);
+  const Box2 own = share(column, row);
+  return {glm::max(own.min - overlap / 2, corner), glm::min(own.max + overlap / 2, corner + window)};
+}
+
+std::pair<int, int> tiles_for(glm::dvec2 size, glm::dvec2 window, double overlap) {
+  return {count_for(size.x, window.x, overlap), count_for(size.y, window.y, overlap)};
 }
 
 std::vector<char> needed_tiles(const TileGrid& grid, const std::vector<Segment>& outline) {
-  std::vector<char> is_needed(grid.index(0, grid.rows), 0);
-  const auto cell = [&](double at, double stride, int count) {
-    return std::clamp(static_cast<int>(std::floor((at - grid.overlap / 2) / stride)), 0, count - 1);
+  std::vector<char> is_needed(grid.index(0, grid.rows()), 0);
+  const auto cell = [](double at, const std::vector<double>& seams) {
+    return static_cast<int>(std::upper_bound(seams.begin(), seams.end(), at) - seams.begin());
   };
-  const auto column_at = [&](double x) { return cell(x, grid.stride().x, grid.columns); };
-  const auto row_at = [&](double y) { return cell(y, grid.stride().y, grid.rows); };
-  for (const auto& [a, b] : outline)
-    for (int row = row_at(std::min(a.y, b.y)); row <= row_at(std::max(a.y, b.y)); ++row)
-      for (int column = column_at(std::min(a.x, b.x)); column <= column_at(std::max(a.x, b.x)); ++column)
-        if (clip_segment(own_share(grid, column, row), a, b)) is_needed[grid.index(column, row)] = 1;
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column) {
-      const glm::dvec2 centre = grid.origin(column, row) + grid.window * 0.5;
+  for (const auto& [a, b] : outline) {
+    const int last_row = cell(std::max(a.y, b.y), grid.row_seams);
+    const int last_column = cell(std::max(a.x, b.x), grid.column_seams);
+    for (int row = cell(std::min(a.y, b.y), grid.row_seams); row <= last_row; ++row)
+      for (int column = cell(std::min(a.x, b.x), grid.column_seams); column <= last_column; ++column) {
+        char& needed = is_needed[grid.index(column, row)];
+        if (needed == 0 && clip_segment(grid.share(column, row), a, b)) needed = 1;
+      }
+  }
+  for (int row = 0; row < grid.rows(); ++row)
+    for (int column = 0; column < grid.columns(); ++column) {
+      // Where no outline runs through it, one point of the share speaks for all of it.
+      const Box2 share = grid.share(column, row);
+      const glm::dvec2 centre =
+          (glm::max(share.min, grid.content.min) + glm::min(share.max, grid.content.max)) * 0.5;
       char& needed = is_needed[grid.index(column, row)];
       if (needed == 0 && winding_number(outline, centre) != 0) needed = 1;
     }
