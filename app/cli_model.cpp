@@ -59,8 +59,9 @@ CliModel read_stored(UnfoldCommand& command, Progress& progress) {
   command.recipe = project.recipe;
   if (given.pins) project.pins = pins_of(command, project.dual->mesh());
   if (given.seed) project.seed = static_cast<std::uint64_t>(command.seed);
-  if (given.paper) project.paper = command.paper;
+  if (given.paper) project.paper.format = command.paper.format;
   if (given.size) project.size = command.size;
+  apply(command.print, project);
   take_settings(command, project);
   if (given.recipe || given.pins || given.seed || given.search) return model;
   model.net = stored_net(project);
@@ -88,6 +89,8 @@ CliModel read_cli_model(UnfoldCommand& command, Progress& progress) {
   project.seed = static_cast<std::uint64_t>(command.seed);
   project.paper = command.paper;
   project.size = command.size;
+  apply(command.print, project);
+  take_settings(command, project);
   return model;
 }
 
@@ -98,11 +101,12 @@ void take_settings(UnfoldCommand& command, const Project& project) {
 }
 
 void write_project(const std::filesystem::path& path, const CliModel& model, const SolveResult& result,
-                   double search_seconds, const UnfoldCommand& command) {
-  if (model.net) {
-    save_project(model.project, path);
-    return;
-  }
+                   const HandEdit& split, double search_seconds, const UnfoldCommand& command) {
+  const auto save = [&](Project project) {
+    if (!split.cut.empty()) project = edit_by_hand(std::move(project), split);
+    save_project(project, path);
+  };
+  if (model.net) return save(model.project);
   RunSummary run;
   run.seed = static_cast<std::uint64_t>(command.seed);
   run.moves = result.moves;
@@ -110,7 +114,7 @@ void write_project(const std::filesystem::path& path, const CliModel& model, con
   run.seconds = search_seconds;
   run.overlaps = static_cast<int>(result.overlaps.size());
   run.is_proved = result.is_proved;
-  save_project(accept_tree(model.project, result.net.tree, run), path);
+  save(accept_tree(model.project, result.net.tree, run));
 }
 
 }  // namespace netwright

@@ -10,6 +10,7 @@
 #include "core/project/project.h"
 #include "core/project/replace_model.h"
 #include "core/solve/solve.h"
+#include "core/unfold/hand_edits.h"
 
 namespace netwright {
 
@@ -28,8 +29,9 @@ CliModel read_cli_model(UnfoldCommand& command, Progress& progress);
 /// Paper, size and seed of the project are those that count from now on.
 void take_settings(UnfoldCommand& command, const Project& project);
 
-/// Writes a project with this net in it. Throws Error(Write).
+/// Writes a project with this net in it, and `split` as an edit by hand where it cuts anything. Throws
+/// Error(Write).
 void write_project(const std::filesystem::path& path, const CliModel& model, const SolveResult& result,
-                   double search_seconds, const UnfoldCommand& command);
+                   const HandEdit& split, double search_seconds, const UnfoldCommand& command);
 
 }  // namespace netwright

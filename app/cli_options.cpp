@@ -117,6 +117,10 @@ CLI::Validator faces_apart_by(char between) {
       "");
 }
 
+CLI::Validator word_that(std::string (*why_not)(const std::string&)) {
+  return CLI::Validator([why_not](std::string& word) { return why_not(word); }, "");
+}
+
 class Reader {
  public:
   Reader() {
@@ -157,14 +161,17 @@ class Reader {
     for (const std::string& word : leave_out_) add_leave_out(word);
     if (is_flatten_) unfold_.recipe.uneven = UnevenFaces::Flatten;
     if (is_split_) unfold_.recipe.uneven = UnevenFaces::Split;
-    if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
+    take_size();
     note_given();
     take_pins();
-    take_printing();
     take_exports();
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     // "a4" is understood; what is printed calls it by its own name.
-    if (const auto paper = find_paper(unfold_.paper.format)) unfold_.paper.format = paper->name;
+    if (const auto paper = find_paper(unfold_.paper.format)) {
+      const bool is_custom = paper->name == kCustomPaper;
+      unfold_.paper.format =
+          is_custom ? custom_paper(paper->width_mm, paper->height_mm) : std::string(paper->name);
+    }
     return unfold_;
   }
 
@@ -230,54 +237,99 @@ class Reader {
         ->type_name("FACE")
         ->check(within(1, 2000000000, "the number of a face, counted from 1"));
     add_pins(app);
-    app.add_option("--paper", unfold_.paper.format, "Paper format: A4, A3, Letter …")
-        ->type_name("NAME")
-        ->capture_default_str();
-    app.add_option("--margin", unfold_.printing.margin_mm, "Margins of the paper in mm")
-        ->type_name("MM")
-        ->check(within(0.0, 1000.0, "a number of millimetres, 0 or more"));
-    height_ = app.add_option("--height", unfold_.size.height_mm,
-                             "Height of the finished model in mm, over as many pages as it takes")
-                  ->type_name("MM")
-                  ->check(within(1e-3, 1e6, "a number of millimetres above 0"));
-    app.add_flag("--fit-page", is_fit_page_, "Print as large as one page allows (this is the default)")
-        ->excludes(height_);
-    add_printing(app);
+    add_paper(app);
+    add_sheet(app);
     add_exports(app);
     app.add_flag("--json", unfold_.is_json, "Print the result as one JSON object");
   }
 
-  void add_printing(CLI::App& app) {
-    app.add_option("--tabs", unfold_.printing.tabs_mm, "Width of the glue tabs in mm, 0 = none")
+  void add_paper(CLI::App& app) {
+    PrintOptions& print = unfold_.print;
+    app.add_option("--paper", unfold_.paper.format,
+                   "Paper format: A4, A3, Letter …, or its sides in mm, as in 200x300")
+        ->type_name("NAME|WxH")
+        ->capture_default_str();
+    app.add_option("--orientation", print.orientation, "How the paper lies; auto = as it serves best")
+        ->type_name("auto|portrait|landscape")
+        ->check(word_that(why_not_orientation));
+    app.add_option("--margin", print.margin_mm, "Margin of the paper in mm (10)")
         ->type_name("MM")
-        ->check(CLI::Validator(
-            [](std::string& word) {
-              const std::string fault = "it must be 0 or a number of millimetres from 2 to 50";
-              double width = -1;
-              const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), width);
-              const bool is_number = error == std::errc() && end == word.data() + word.size();
-              const bool is_sound = width == 0 || (width >= kLeastTabWidth && width <= kMostTabWidth);
-              return is_number && is_sound ? std::string() : fault;
-            },
-            ""));
-    app.add_option("--lines", lines_, "Styles of cuts and folds")
-        ->type_name("origami|kit|solid|cutter")
-        ->transform(CLI::IsMember({"origami", "kit", "solid", "cutter"}));
-    app.add_option("--side", side_, "Side of the paper that is printed: the model's outside, inside or both")
-        ->type_name("outside|inside|both")
-        ->transform(CLI::IsMember({"outside", "inside", "both"}));
-    app.add_flag("--grey", unfold_.printing.is_grey, "Everything in shades of grey");
-    app.add_flag("--no-numbers", unfold_.printing.no_numbers, "No numbers at the cuts");
-    app.add_flag("--no-pictures", unfold_.printing.no_pictures, "Neither textures nor colours of the model");
+        ->check(within(0.0, 100.0, "a number of millimetres from 0 to 100"));
+    height_ = app.add_option("--height", unfold_.size.height_mm,
+                             "Height of the finished model in mm, over as many pages as it takes")
+                  ->type_name("MM")
+                  ->check(within(1e-3, 1e6, "a number of millimetres above 0"));
+    scale_ = app.add_option("--scale", unfold_.size.scale, "Size by its scale: mm per unit of the model")
+                 ->type_name("F")
+                 ->check(within(1e-9, 1e9, "a number above 0"))
+                 ->excludes(height_);
+    edge_ = app.add_option("--edge", print.edge, "Size by the length of the edge that two faces share")
+                ->type_name("A:B=MM")
+                ->check(word_that(why_not_edge))
+                ->excludes(height_)
+                ->excludes(scale_);
+    sheets_ = app.add_option("--sheets", unfold_.size.sheets, "Print as large as so many sheets allow")
+                  ->type_name("N")
+                  ->check(within(1, kMostFittedSheets, "a whole number from 1 to 100"))
+                  ->excludes(height_)
+                  ->excludes(scale_)
+                  ->excludes(edge_);
+    app.add_flag("--fit-page", is_fit_page_, "Print as large as one page allows (this is the default)")
+        ->excludes(height_)
+        ->excludes(scale_)
+        ->excludes(edge_)
+        ->excludes(sheets_);
+    app.add_flag("--split-to-fit", print.splits_to_fit,
+                 "Cut a net that is larger than the paper into the fewest pieces that fit it");
   }
 
-  void take_printing() {
-    constexpr std::array<std::string_view, 4> kLines = {"origami", "kit", "solid", "cutter"};
-    constexpr std::array<std::string_view, 3> kSides = {"outside", "inside", "both"};
-    const auto lines = std::ranges::find(kLines, lines_);
-    const auto side = std::ranges::find(kSides, side_);
-    if (lines != kLines.end()) unfold_.printing.lines = static_cast<LinePreset>(lines - kLines.begin());
-    if (side != kSides.end()) unfold_.printing.side = static_cast<PrintedSide>(side - kSides.begin());
+  void add_sheet(CLI::App& app) {
+    PrintOptions& print = unfold_.print;
+    app.add_option("--tabs", print.tabs,
+                   "Glue tabs: their width in mm (5), 0 or none for none, 10 mm for a child, on one side of "
+                   "each cut or both, "
+                   "taking turns")
+        ->type_name("MM|none|child|one|both|alternating,…")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->take_all()
+        ->check(word_that(why_not_tabs));
+    app.add_option("--tab-angle", print.tab_angle_deg, "Angle of their ends in degrees (45)")
+        ->type_name("DEG")
+        ->check(within(10.0, 90.0, "a number of degrees from 10 to 90"));
+    app.add_option(
+           "--labels", print.labels,
+           "Numbers of all cuts, the obvious ones too, or on the reverse; angles of folds, numbers of "
+           "faces and names of pieces besides")
+        ->type_name("all|reverse|angles|faces|pieces,…")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->take_all()
+        ->check(word_that(why_not_label));
+    app.add_flag("--no-numbers", print.has_no_numbers, "No numbers at the cuts");
+    app.add_option("--lines", print.lines, "Style of the lines (origami)")
+        ->type_name("origami|kit|solid|cutter")
+        ->check(word_that(why_not_lines));
+    app.add_option("--side,--printed-side", print.printed_side,
+                   "Which side of the model is printed (outside)")
+        ->type_name("outside|inside|both")
+        ->check(word_that(why_not_side));
+    app.add_flag("--no-pictures", print.has_no_pictures, "Leave textures and colours of the model out");
+    app.add_option("--picture-dpi", print.picture_dpi, "Pixels per inch of printed textures (300)")
+        ->type_name("N")
+        ->check(within(kLeastDpi, kMostDpi, "a whole number from 72 to 600"));
+    app.add_flag("--grey", print.is_grey, "Print everything in shades of grey");
+    app.add_option("--title", print.title, "Title on the sheets, instead of the model's name")
+        ->type_name("TEXT");
+    app.add_option("--author", print.author, "Who made the model, on the sheets")->type_name("TEXT");
+    app.add_option("--note", print.note, "A line of your own on the sheets")->type_name("TEXT");
+  }
+
+  void take_size() {
+    if (height_->count() > 0) unfold_.size.kind = PrintSize::Kind::Height;
+    if (scale_->count() > 0) unfold_.size.kind = PrintSize::Kind::Scale;
+    if (sheets_->count() > 0) unfold_.size.kind = PrintSize::Kind::FitSheets;
+    if (unfold_.print.margin_mm) unfold_.paper.margin_mm = *unfold_.print.margin_mm;
   }
 
   void add_exports(CLI::App& app) {
@@ -444,7 +496,8 @@ class Reader {
     unfold_.given.pins = is_named("--root") || is_named("--must-fold") || is_named("--must-cut") ||
                          is_named("--keep-together");
     unfold_.given.paper = is_named("--paper");
-    unfold_.given.size = is_named("--height") || is_named("--fit-page");
+    unfold_.given.size =
+        is_named("--height") || is_named("--fit-page") || is_named("--scale") || is_named("--sheets");
   }
 
   void add_leave_out(const std::string& word) {
@@ -489,9 +542,12 @@ class Reader {
   CLI::App* info_app_ = nullptr;
   CLI::App* bench_app_ = nullptr;
   CLI::Option* height_ = nullptr;
+  CLI::Option* scale_ = nullptr;
+  CLI::Option* edge_ = nullptr;
+  CLI::Option* sheets_ = nullptr;
   bool is_fit_page_ = false;
   std::string up_;
-  std::string lines_, side_, instructions_, cutter_;
+  std::string instructions_, cutter_;
   bool is_repair_ = false;
   int hole_edges_ = 0;
   std::vector<std::string> leave_out_;

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/cli_print.h"
 #include "core/base/paper.h"
 #include "core/project/recipe.h"
 #include "core/sheet/cutter_package.h"
@@ -43,16 +44,7 @@ struct UnfoldCommand {
   std::vector<std::vector<int>> together;      ///< patches as numbers of faces, counted from 1
   PaperSetup paper;
   PrintSize size;
-  /// How it is printed; what is not named is a project's to decide, or as usual.
-  struct Printing {
-    std::optional<double> margin_mm{};
-    std::optional<double> tabs_mm{};  ///< width of the glue tabs, 0 = none
-    std::optional<LinePreset> lines{};
-    std::optional<PrintedSide> side{};
-    bool is_grey = false;
-    bool no_numbers = false;
-    bool no_pictures = false;
-  } printing;
+  PrintOptions print;                  ///< what is not named is a project's to decide
   ExportSettings exports;              ///< what differs from the usual takes a project's place
   std::optional<CutterPreset> cutter;  ///< outputs without an extension are folders for its package
   bool is_json = false;

@@ -22,6 +22,8 @@ FaceId face_of(const Mesh& mesh, int number, const std::string& purpose) {
                                     std::to_string(mesh.face_source(*last) + 1) + ".");
 }
 
+}  // namespace
+
 EdgeId edge_between(const Mesh& mesh, std::pair<int, int> faces, const std::string& purpose) {
   const FaceId one = face_of(mesh, faces.first, purpose);
   const FaceId other = face_of(mesh, faces.second, purpose);
@@ -31,8 +33,6 @@ EdgeId edge_between(const Mesh& mesh, std::pair<int, int> faces, const std::stri
                                     std::to_string(faces.second) + " of " + mesh.name() +
                                     " share no edge, so there is nothing " + purpose + ".");
 }
-
-}  // namespace
 
 Constraints pins_of(const UnfoldCommand& command, const Mesh& mesh) {
   Constraints pins;

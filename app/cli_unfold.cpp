@@ -14,6 +14,7 @@
 #include "core/project/commands.h"
 #include "core/project/project_file.h"
 #include "core/sheet/page_frame.h"
+#include "core/sheet/split_to_fit.h"
 #include "core/sheet/write.h"
 #include "core/unfold/obstruction.h"
 
@@ -92,55 +93,54 @@ void take_exports(ExportSettings& exports, const ExportSettings& named) {
   if (named.instructions != InstructionPage::None) exports.instructions = named.instructions;
 }
 
-/// The project's settings of print, with those named in the command in their place.
-void take_printing(Project& project, UnfoldCommand& command) {
-  const UnfoldCommand::Printing& printing = command.printing;
-  if (printing.margin_mm) project.paper.margin_mm = command.paper.margin_mm = *printing.margin_mm;
-  if (printing.tabs_mm) project.tabs.is_on = *printing.tabs_mm > 0;
-  if (printing.tabs_mm && *printing.tabs_mm > 0) project.tabs.width_mm = *printing.tabs_mm;
-  if (printing.lines) project.sheet.lines = line_styles(*printing.lines);
-  if (printing.side) project.sheet.printed_side = *printing.side;
-  if (printing.is_grey) project.sheet.is_grey = true;
-  if (printing.no_numbers) project.sheet.labels.edge_numbers = false;
-  if (printing.no_pictures) project.sheet.pictures.is_on = false;
-  take_exports(project.exports, command.exports);
-}
-
 /// What was found, and where it goes on paper.
 struct Drawing {
+  Net net;         ///< the one that was found, or cut into pieces that fit
+  HandEdit split;  ///< how it was cut
   PageLayout layout;
   std::vector<fs::path> files;
 };
 
 std::vector<fs::path> write_one(const fs::path& output, const UnfoldCommand& command, const CliModel& model,
-                                const UnfoldOutcome& outcome, const PageLayout& layout) {
+                                const UnfoldOutcome& outcome, const Drawing& drawing) {
   if (has_project_name(output)) {
-    write_project(output, model, outcome.result, outcome.search_seconds, command);
+    write_project(output, model, outcome.result, drawing.split, outcome.search_seconds, command);
     return {output};
   }
-  const SheetInfo info{"", true, static_cast<std::uint64_t>(command.seed)};
-  const Net& net = outcome.result.net;
+  const Project& project = model.project;
+  const SheetInfo info{project.sheet.words.title, true, static_cast<std::uint64_t>(command.seed)};
   if (is_package(output, command)) {
     const PageLayout clear =
-        arrange(net, cutter_paper(command.paper, *command.cutter), command.size, model.project.tabs);
-    const CutterPackage package = write_cutter_package(output, net, clear, info, model.project.sheet,
-                                                       model.project.exports, *command.cutter);
+        arrange(drawing.net, cutter_paper(command.paper, *command.cutter), command.size, project.tabs);
+    const CutterPackage package = write_cutter_package(output, drawing.net, clear, info, project.sheet,
+                                                       project.exports, *command.cutter);
     for (const std::string& note : package.notes) complain("note: " + note);
     return package.files;
   }
-  return write_drawing(output, net, layout, info, model.project.sheet, model.project.exports);
+  return write_drawing(output, drawing.net, drawing.layout, info, project.sheet, project.exports);
+}
+
+/// Cut into pieces where that was asked for; must-folds stay.
+HandEdit split_of(const UnfoldCommand& command, const CliModel& model, const Net& net) {
+  if (!command.print.splits_to_fit) return {net.tree, {}, {}, {}};
+  const Constraints pins = pins_with_edits(model.project);
+  return split_to_fit(net, command.paper, command.size, model.project.tabs,
+                      [&](EdgeId e) { return pin_of(pins, e) != EdgePin::MustFold; });
 }
 
 /// All files or none: when one cannot be written, those that this run added before it go again.
 Drawing draw(const UnfoldCommand& command, const CliModel& model, const UnfoldOutcome& outcome) {
   Drawing drawing;
-  drawing.layout = arrange(outcome.result.net, command.paper, command.size, model.project.tabs);
+  drawing.split = split_of(command, model, outcome.result.net);
+  drawing.net =
+      drawing.split.cut.empty() ? outcome.result.net : layout(outcome.result.net.dual, drawing.split.tree);
+  drawing.layout = arrange(drawing.net, command.paper, command.size, model.project.tabs);
   std::vector<fs::path> added;
   try {
     for (const fs::path& output : command.outputs) {
       std::error_code ignored;
       const bool was_there = fs::exists(output, ignored);
-      for (const fs::path& file : write_one(output, command, model, outcome, drawing.layout)) {
+      for (const fs::path& file : write_one(output, command, model, outcome, drawing)) {
         drawing.files.push_back(file);
         if (!was_there) added.push_back(file);
       }
@@ -156,6 +156,9 @@ Drawing draw(const UnfoldCommand& command, const CliModel& model, const UnfoldOu
 void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, const Drawing& drawing) {
   print(model_line(outcome.mesh));
   print(result_line(outcome, command));
+  if (!drawing.split.cut.empty())
+    print("Cut into " + std::to_string(drawing.net.n_pieces) + " pieces that fit a page of " +
+          command.paper.format + ".");
   if (!drawing.files.empty()) print(files_line(drawing.files, drawing.layout, command));
 }
 
@@ -192,6 +195,8 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
   outcome.wall_seconds = now_seconds() - start;
   if (command.is_json) {
     Json json = unfold_json(outcome, command);
+    if (command.print.splits_to_fit && !drawing.files.empty())
+      json.set("printed_pieces", drawing.net.n_pieces);
     if (model.replaced) json.set("replaced", replaced_json(*model.replaced));
     print(to_text(json, {.is_indented = true}));
   } else if (result.is_proved) {
@@ -210,14 +215,13 @@ int run_unfold(const UnfoldCommand& asked) {
   UnfoldCommand command = asked;
   const double start = now_seconds();
   check_outputs(command);
-  command.paper.margin_mm = command.printing.margin_mm.value_or(command.paper.margin_mm);
   static_cast<void>(page_frame(command.paper));  // refuses unknown paper
   const Interrupts interrupts;
   CliModel model;
   const Watched watched =
       run_watched(interrupts, [&](Progress& progress) { model = read_cli_model(command, progress); });
   if (watched.was_interrupted) return kCancelled;
-  take_printing(model.project, command);
+  take_exports(model.project.exports, command.exports);
   return search_and_write(command, model, interrupts, start);
 }
 

@@ -8,6 +8,8 @@
 #include "core/base/error.h"
 #include "core/sheet/best_angle.h"
 #include "core/sheet/pack.h"
+#include "core/sheet/pack_outlines.h"
+#include "core/sheet/piece_shapes.h"
 #include "core/sheet/tiles.h"
 #include "tests/sheet_support.h"
 
@@ -295,18 +297,20 @@ TEST(Arrange, PacksPartsOnPagesAndTilesTheLargeOnes) {
   const Net net = net_of(soup);
   ASSERT_EQ(net.n_pieces, 6);
   const PageLayout layout = arrange(net, {}, height(480));
-  std::map<int, std::vector<Box2>> by_canvas;
-  for (int piece = 0; piece < net.n_pieces; ++piece)
-    by_canvas[layout.pieces[static_cast<std::size_t>(piece)].canvas].push_back(
-        box_on_canvas(net, layout, piece));
   EXPECT_TRUE(layout.canvases[0].is_tiled());
   EXPECT_FALSE(layout.canvases.back().is_tiled());
-  for (const auto& [canvas, boxes] : by_canvas)
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const glm::dvec2 apart = glm::max(boxes[i].min - boxes[j].max, boxes[j].min - boxes[i].max);
-        EXPECT_GE(std::max(apart.x, apart.y), 3 - 1e-6) << "on canvas " << canvas;
-      }
+  const PieceShapes shapes = piece_shapes(net, layout.scale, no_tabs());
+  const auto lying = [&](std::size_t piece) {
+    Outlines outlines = shapes.pieces[piece].outlines;
+    for (auto& outline : outlines)
+      for (glm::dvec2& p : outline) p = layout.on_canvas_mm(static_cast<int>(piece), p);
+    return outlines;
+  };
+  for (std::size_t i = 0; i < layout.pieces.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (layout.pieces[i].canvas != layout.pieces[j].canvas) continue;
+      EXPECT_GE(distance_between(lying(i), lying(j)), 3 - 1e-6) << i << " and " << j;
+    }
 }
 
 TEST(Arrange, RefusesWhatCannotBePrintedInOneSentence) {

@@ -176,7 +176,7 @@ TEST(Pictures, TakeNoMoreOfAPageThanTheFacesOnIt) {
   const std::vector<Sheet> sheets = draw_sheets(net, layout, {}, settings);
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     Box2 faces;
-    const Box2 window{layout.pages[i].origin, layout.pages[i].origin + layout.frame.net.size()};
+    const Box2 window = layout.pages[i].shown;
     for (const FaceId f : net.mesh().faces()) {
       Box2 box;
       for (const HalfedgeId h : net.mesh().halfedges(f)) box.add(layout.on_canvas(0, net.corner(h)));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -72,13 +73,21 @@ TEST(Placing, TabsThatCoverAnotherPieceOrTheEdgeAreTold) {
     return find_misplaced(net, *lay_out(net, {}, placed, tabs));
   };
   EXPECT_TRUE(misplaced_with(project.tabs).is_nothing());
-  // Faces fill the box without its tabs, which then reach over the edge by themselves.
+  // Where tabs reach out furthest, they go over the edge while faces only come up to it.
   const int piece = net.piece[placed.places[0].face];
   const Box2 faces = box_of(net, pages, piece);
   const Box2 with_tabs = box_on_canvas(net, pages, piece);
-  ASSERT_GT(faces.min.x - with_tabs.min.x + faces.min.y - with_tabs.min.y, 0.5);
+  const glm::dvec2 room = pages.frame.net.size();
+  const std::array<std::pair<double, glm::dvec2>, 4> edges = {
+      {{faces.min.x - with_tabs.min.x, {-faces.min.x, 0}},
+       {faces.min.y - with_tabs.min.y, {0, -faces.min.y}},
+       {with_tabs.max.x - faces.max.x, {room.x - faces.max.x, 0}},
+       {with_tabs.max.y - faces.max.y, {0, room.y - faces.max.y}}}};
+  const auto [reach, to_edge] = *std::max_element(
+      edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  ASSERT_GT(reach, 0.5);
   const HandLayout before = placed;
-  placed.places[0].turn = shift(-faces.min.x, faces.min.y) * placed.places[0].turn;
+  placed.places[0].turn = shift(to_edge.x, -to_edge.y) * placed.places[0].turn;
   EXPECT_TRUE(misplaced_with(no_tabs()).over_edge.empty());
   EXPECT_EQ(misplaced_with(project.tabs).over_edge, std::vector<int>{piece});
   // Coming from any side, tabs cover the other piece no later than faces do, and somewhere earlier.
@@ -410,6 +419,10 @@ TEST_F(SessionPlacing, ReArrangingGoesBackToTheLayoutMadeByItself) {
 }
 
 TEST_F(SessionPlacing, TheSheetsShowThePiecesWhereTheyWerePut) {
+  // Smaller than the page allows, so that there is somewhere to go.
+  const auto full = session_.pages();
+  session_.set_size({PrintSize::Kind::Height, 40});
+  ASSERT_TRUE(until_laid_out(full));
   const auto first_cut = [&] {
     for (const Stroke& stroke : session_.sheets()->front().strokes)
       if (stroke.layer == Layer::Cut && stroke.is_closed) return stroke.points;

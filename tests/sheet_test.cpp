@@ -427,9 +427,9 @@ TEST(PrintedSides, MirroredTilesNameTheNeighboursThatLieThere) {
   const std::vector<Sheet> outside = draw_sheets(net, layout, {});
   const std::vector<Sheet> inside = draw_sheets(net, layout, {}, settings);
   int n_exchanged = 0;
-  const auto place_of = [](const Sheet& sheet, const std::string& words) -> std::optional<glm::dvec2> {
+  const auto place_of = [](const Sheet& sheet, const std::string& tag) -> std::optional<glm::dvec2> {
     for (const Text& text : sheet.texts)
-      if (text.words == words && text.size_mm == 2.6) return text.at;
+      if (text.words == "glue " + tag + " here" || text.words == "cut off, glue on " + tag) return text.at;
     return std::nullopt;
   };
   for (std::size_t i = 0; i < inside.size(); ++i)
@@ -439,7 +439,7 @@ TEST(PrintedSides, MirroredTilesNameTheNeighboursThatLieThere) {
       const auto before = place_of(outside[i], other.tag);
       const auto after = place_of(inside[i], other.tag);
       ASSERT_TRUE(before && after);
-      EXPECT_EQ(before->x<105, after->x> 105);
+      EXPECT_NEAR(before->x, 210 - after->x, 3);
       ++n_exchanged;
     }
   EXPECT_GT(n_exchanged, 0);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include "core/sheet/best_angle.h"
 #include "core/sheet/pack.h"
+#include "core/sheet/pack_outlines.h"
 #include "core/sheet/print_style.h"
 #include "core/sheet/tile_seams.h"
 
@@ -20,6 +22,7 @@ using print_style::kTileOverlap;
 
 constexpr std::size_t kMostTilesSearched = 400;
 constexpr std::size_t kMostTilesDrawn = 4000;
+constexpr std::size_t kMostPackedByOutline = 100;
 
 /// Puts a piece on a canvas so that its box's upper left corner (y down) is at `corner`.
 PageLayout::Placement placed_at(const Hull& hull_mm, double angle_rad, int canvas, glm::dvec2 corner) {
@@ -33,7 +36,7 @@ PageLayout::Placement placed_at(const Hull& hull_mm, double angle_rad, int canva
 /// A layout under construction for one orientation of the paper.
 class Arranger {
  public:
-  Arranger(const PieceShapes& shapes, const PageFrame& frame) : shapes_(shapes) {
+  Arranger(const PieceShapes& shapes, const PageFrame& frame, Seams seams) : shapes_(shapes), seams_(seams) {
     layout_.frame = frame;
     layout_.scale = shapes.scale;
     layout_.model_height_mm = shapes.model_height_mm;
@@ -62,88 +65,94 @@ class Arranger {
  private:
   [[nodiscard]] glm::dvec2 room() const { return layout_.frame.net.size(); }
 
-  /// A way to lay a piece out on a grid of tiles of its own, in the middle of it.
+  /// A piece in the middle of a grid of tiles of its own.
   struct Tiled {
     double angle_rad = 0;
     PageLayout::Placement place;
-    Tiling tiling;
-    double fill = 0;  ///< of the canvas, by the piece's box
-
-    [[nodiscard]] bool is_better_than(const Tiled& other) const {
-      if (is_better(tiling, other.tiling)) return true;
-      return !is_better(other.tiling, tiling) && fill < other.fill;
-    }
+    TiledArea area;
+    int columns = 1;
+    int rows = 1;
   };
 
-  /// `best_seams` takes a while; else the seams are evenly spaced.
-  [[nodiscard]] Tiled tiled_at(std::size_t piece, double angle_rad, bool best_seams) const {
+  [[nodiscard]] Tiled tiled_at(std::size_t piece, double angle_rad) const {
     const PieceShape& shape = shapes_.pieces[piece];
     const glm::dvec2 size = turned_box(shape.hull, angle_rad).size();
-    const auto [columns, rows] = tiles_for(size, room(), kTileOverlap);
-    const glm::dvec2 canvas = TileGrid::even(room(), kTileOverlap, columns, rows, {}).size();
-    Tiled tiled{angle_rad, {}, {}, fill_factor(size, canvas)};
+    Tiled tiled;
+    tiled.angle_rad = angle_rad;
+    std::tie(tiled.columns, tiled.rows) = tiles_for(size, room(), kTileOverlap);
+    const glm::dvec2 canvas = TileGrid::even(room(), kTileOverlap, tiled.columns, tiled.rows, {}).size();
     tiled.place =
         placed_at(shape.hull, angle_rad, static_cast<int>(layout_.canvases.size()), (canvas - size) * 0.5);
-    TiledArea area;
-    add_to_area(area, shape, tiled.place.turn);
-    const auto make_tiling = best_seams ? best_tiling : even_tiling;
-    tiled.tiling = make_tiling(area, room(), kTileOverlap, columns, rows);
+    add_to_area(tiled.area, shape, tiled.place.turn);
     return tiled;
   }
 
-  [[nodiscard]] std::size_t n_tiles_at(const Hull& hull, double angle_rad) const {
-    const auto [columns, rows] = tiles_for(turned_box(hull, angle_rad).size(), room(), kTileOverlap);
-    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  [[nodiscard]] Tiling evenly(const Tiled& tiled) const {
+    return even_tiling(tiled.area, room(), kTileOverlap, tiled.columns, tiled.rows);
   }
 
-  /// The angle and the seams with the fewest sheets and, among equals, the fewest marks cut. Where that would
-  /// take too long, the angle whose grid has the fewest tiles.
-  [[nodiscard]] std::optional<Tiled> best_tiled(std::size_t piece, const Hull& hull) const {
-    constexpr int kAngles = 60;
-    std::optional<Tiled> best;
+  /// Angles whose grids are small enough to look into; else the one whose grid is the smallest, if that can
+  /// be drawn at all.
+  [[nodiscard]] std::vector<double> tiling_angles(const Hull& hull) const {
+    constexpr int kAngles = 120;
+    const int step = seams_ == Seams::Best ? 1 : 4;
+    std::vector<double> angles;
     std::pair<std::size_t, double> fewest{std::numeric_limits<std::size_t>::max(), 0};
-    for (int k = 0; k < kAngles; ++k) {
+    for (int k = 0; k < kAngles; k += step) {
       const double angle_rad = k * std::numbers::pi / kAngles;
-      const std::size_t n_tiles = n_tiles_at(hull, angle_rad);
+      const auto [columns, rows] = tiles_for(turned_box(hull, angle_rad).size(), room(), kTileOverlap);
+      const std::size_t n_tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
       fewest = std::min(fewest, std::pair(n_tiles, angle_rad));
-      if (n_tiles > kMostTilesSearched) continue;
-      Tiled tiled = tiled_at(piece, angle_rad, true);
-      if (!best || tiled.is_better_than(*best)) best = std::move(tiled);
+      if (n_tiles <= kMostTilesSearched) angles.push_back(angle_rad);
     }
-    if (best || fewest.first > kMostTilesDrawn) return best;
-    return tiled_at(piece, fewest.second, false);
+    if (angles.empty() && fewest.first <= kMostTilesDrawn) angles.push_back(fewest.second);
+    return angles;
   }
 
+  /// As few sheets as evenly spaced seams take at their best angle, and of all seams and angles that take no
+  /// more those that cut the fewest marks.
   bool tile(std::size_t piece, const Hull& hull) {
-    std::optional<Tiled> tiled = best_tiled(piece, hull);
-    if (!tiled) return false;
-    layout_.pieces[piece] = tiled->place;
-    add_tiled_canvas(layout_, tiled->tiling, n_lettered_rows_);
-    n_lettered_rows_ += tiled->tiling.grid.rows();
+    std::vector<Tiled> ways;
+    std::optional<Tiling> best;
+    PageLayout::Placement place;
+    for (const double angle_rad : tiling_angles(hull)) {
+      ways.push_back(tiled_at(piece, angle_rad));
+      Tiling even = evenly(ways.back());
+      if (best && !is_better(even, *best)) continue;
+      best = std::move(even);
+      place = ways.back().place;
+    }
+    if (!best) return false;
+    const std::size_t n_sheets = best->n_sheets;
+    for (const Tiled& way : seams_ == Seams::Best ? ways : std::vector<Tiled>()) {
+      std::optional<Tiling> tiling =
+          best_tiling(way.area, room(), kTileOverlap, way.columns, way.rows, n_sheets, best->n_cut_marks);
+      if (!tiling) continue;
+      best = std::move(tiling);
+      place = way.place;
+    }
+    layout_.pieces[piece] = place;
+    add_tiled_canvas(layout_, *best, n_lettered_rows_);
+    n_lettered_rows_ += best->grid.rows();
     return true;
   }
 
   void pack_pieces(const std::vector<std::size_t>& to_pack) {
-    std::vector<glm::dvec2> sizes;
-    std::vector<Hull> hulls;
-    for (std::size_t i = 0; i < to_pack.size(); ++i) {
-      hulls.push_back(shapes_.pieces[to_pack[i]].hull);
-      if (to_pack.size() > 1) angles_[i] = packing_angle(hulls[i], angles_[i]);
-      sizes.push_back(turned_box(hulls[i], angles_[i]).size());
-    }
-    const std::vector<Packed> packed = pack(sizes, room(), kPieceGap);
+    std::vector<PackedOutline> packed = packed_in_boxes(to_pack);
+    if (std::optional<std::vector<PackedOutline>> closer = packed_by_outlines(to_pack, n_pages_of(packed)))
+      packed = std::move(*closer);
     const auto first_canvas = static_cast<int>(layout_.canvases.size());
-    std::vector<Box2> used;
+    std::vector<Box2> used(static_cast<std::size_t>(n_pages_of(packed)));
+    for (std::size_t i = 0; i < packed.size(); ++i)
+      for (const glm::dvec2 p : shapes_.pieces[to_pack[i]].hull)
+        used[static_cast<std::size_t>(packed[i].page)].add(packed[i].turn(p));
     for (std::size_t i = 0; i < packed.size(); ++i) {
-      used.resize(std::max(used.size(), static_cast<std::size_t>(packed[i].page) + 1));
-      used[static_cast<std::size_t>(packed[i].page)].add(packed[i].at);
-      used[static_cast<std::size_t>(packed[i].page)].add(packed[i].at + turned_size(sizes[i], packed[i]));
-    }
-    for (std::size_t i = 0; i < packed.size(); ++i) {
-      const double angle = angles_[i] + (packed[i].is_turned ? 1.57079632679489661923 : 0);
-      const glm::dvec2 shift = (room() - used[static_cast<std::size_t>(packed[i].page)].size()) * 0.5;
-      layout_.pieces[to_pack[i]] =
-          placed_at(hulls[i], angle, first_canvas + packed[i].page, packed[i].at + shift);
+      // What lies on a page lies in its middle; on paper y points down.
+      const Box2& box = used[static_cast<std::size_t>(packed[i].page)];
+      Rigid2 turn = packed[i].turn;
+      turn.x += room().x / 2 - box.centre().x;
+      turn.y -= room().y / 2 + box.centre().y;
+      layout_.pieces[to_pack[i]] = {first_canvas + packed[i].page, turn};
     }
     for (std::size_t page = 0; page < used.size(); ++page) {
       layout_.pages.push_back({first_canvas + static_cast<int>(page), 0, 0, {0, 0}, ""});
@@ -151,8 +160,42 @@ class Arranger {
     }
   }
 
-  static glm::dvec2 turned_size(glm::dvec2 size, const Packed& packed) {
-    return packed.is_turned ? glm::dvec2(size.y, size.x) : size;
+  static int n_pages_of(const std::vector<PackedOutline>& packed) {
+    int n_pages = 0;
+    for (const PackedOutline& piece : packed) n_pages = std::max(n_pages, piece.page + 1);
+    return n_pages;
+  }
+
+  [[nodiscard]] std::vector<PackedOutline> packed_in_boxes(const std::vector<std::size_t>& to_pack) const {
+    std::vector<double> angles;
+    std::vector<glm::dvec2> sizes;
+    for (std::size_t i = 0; i < to_pack.size(); ++i) {
+      const Hull& hull = shapes_.pieces[to_pack[i]].hull;
+      angles.push_back(to_pack.size() > 1 ? packing_angle(hull, angles_[i]) : angles_[i]);
+      sizes.push_back(turned_box(hull, angles[i]).size());
+    }
+    std::vector<PackedOutline> packed;
+    for (const Packed& box : pack(sizes, room(), kPieceGap)) {
+      const std::size_t i = packed.size();
+      const double angle_rad = angles[i] + (box.is_turned ? std::numbers::pi / 2 : 0);
+      packed.push_back({box.page, placed_at(shapes_.pieces[to_pack[i]].hull, angle_rad, 0, box.at).turn});
+    }
+    return packed;
+  }
+
+  /// Only where that takes fewer pages than boxes do: boxes look tidier, and are cut out more easily.
+  [[nodiscard]] std::optional<std::vector<PackedOutline>> packed_by_outlines(
+      const std::vector<std::size_t>& to_pack, int n_pages) const {
+    std::vector<PieceToPack> pieces;
+    double area_mm2 = 0;
+    for (std::size_t i = 0; i < to_pack.size(); ++i) {
+      pieces.push_back({shapes_.pieces[to_pack[i]].outlines, angles_[i]});
+      area_mm2 += shapes_.pieces[to_pack[i]].area_mm2;
+    }
+    constexpr double kFullest = 0.95;  // no packing of nets gets there
+    const bool is_hopeless = area_mm2 > kFullest * (n_pages - 1) * room().x * room().y;
+    if (n_pages < 2 || is_hopeless || pieces.size() > kMostPackedByOutline) return std::nullopt;
+    return pack_outlines(pieces, room(), kPieceGap, n_pages - 1);
   }
 
   /// Pieces that share a page lie in their smallest box, unless only a slant makes them fit.
@@ -164,6 +207,7 @@ class Arranger {
   }
 
   const PieceShapes& shapes_;
+  Seams seams_;
   PageLayout layout_;
   std::vector<double> angles_;  ///< of the pieces to be packed, in their order
   int n_lettered_rows_ = 0;
@@ -185,8 +229,8 @@ void add_tiled_canvas(PageLayout& layout, const Tiling& tiling, int first_row_le
                              grid.column_seams, grid.row_seams});
 }
 
-std::optional<PageLayout> arrange_on(const PieceShapes& shapes, const PageFrame& frame) {
-  return Arranger(shapes, frame).run();
+std::optional<PageLayout> arrange_on(const PieceShapes& shapes, const PageFrame& frame, Seams seams) {
+  return Arranger(shapes, frame, seams).run();
 }
 
 }  // namespace netwright

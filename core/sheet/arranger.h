@@ -17,7 +17,10 @@ double fill_factor(glm::dvec2 size, glm::dvec2 room);
 /// The canvas after the last one, and the pages of the tiles that are needed.
 void add_tiled_canvas(PageLayout& layout, const Tiling& tiling, int first_row_letter);
 
+/// How tiled pieces are cut: Even is a quick look at how many sheets it may take, Best never takes more.
+enum class Seams { Even, Best };
+
 /// Everything but the layout's tabs. Nothing when more than kMostPages would be needed.
-std::optional<PageLayout> arrange_on(const PieceShapes& shapes, const PageFrame& frame);
+std::optional<PageLayout> arrange_on(const PieceShapes& shapes, const PageFrame& frame, Seams seams);
 
 }  // namespace netwright

@@ -21,6 +21,7 @@ PieceShapes zoomed(PieceShapes shapes, double zoom) {
   shapes.model_height_mm *= zoom;
   shapes.area_mm2 *= zoom * zoom;
   for (PieceShape& piece : shapes.pieces) {
+    piece.area_mm2 *= zoom * zoom;
     for (glm::dvec2& p : piece.hull) p *= zoom;
     for (std::vector<glm::dvec2>& outline : piece.outlines)
       for (glm::dvec2& p : outline) p *= zoom;
@@ -40,16 +41,16 @@ double zoom_of_largest(const PieceShapes& shapes, const PageFrame& frame) {
   return zoom;
 }
 
-/// Tries zooms and keeps the layout of the largest one that needs no more pages than allowed.
+/// Tries zooms and remembers the largest one that needs no more pages than allowed.
 class Trials {
  public:
   Trials(const PieceShapes& shapes, const PageFrame& frame, int n_pages)
       : shapes_(shapes), frame_(frame), n_pages_(static_cast<std::size_t>(n_pages)) {}
 
   bool fits(double zoom) {
-    std::optional<PageLayout> layout = arrange_on(zoomed(shapes_, zoom), frame_);
+    std::optional<PageLayout> layout = arrange_on(zoomed(shapes_, zoom), frame_, Seams::Even);
     const bool is_good = layout && layout->pages.size() <= n_pages_;
-    if (is_good && (!best_ || layout->scale > best_->scale)) best_ = std::move(layout);
+    if (is_good) best_ = std::max(best_, zoom);
     return is_good;
   }
 
@@ -60,13 +61,13 @@ class Trials {
     }
   }
 
-  [[nodiscard]] PageLayout best() const { return *best_; }
+  [[nodiscard]] PageLayout best() const { return *arrange_on(zoomed(shapes_, best_), frame_, Seams::Best); }
 
  private:
   const PieceShapes& shapes_;
   const PageFrame& frame_;
   std::size_t n_pages_;
-  std::optional<PageLayout> best_;
+  double best_ = 0;
 };
 
 PageLayout fit_one(const PieceShapes& shapes, const PageFrame& frame) {
@@ -114,7 +115,7 @@ PageLayout fit_with_tabs(const Net& net, const PageFrame& frame, int n_pages, co
   double scale = bare.scale;
   for (int round = 0; round < kRounds; ++round) {
     const PieceShapes shapes = piece_shapes(net, scale, tabs);
-    std::optional<PageLayout> layout = arrange_on(shapes, frame);
+    std::optional<PageLayout> layout = arrange_on(shapes, frame, Seams::Best);
     if (layout && layout->pages.size() <= static_cast<std::size_t>(n_pages)) {
       layout->tabs = shapes.tabs;
       return *layout;

@@ -22,7 +22,7 @@ PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& siz
   PieceShapes shapes = piece_shapes(net, *scale, tabs);
   std::optional<PageLayout> best;
   for (const PageFrame& frame : frames) {
-    std::optional<PageLayout> layout = arrange_on(shapes, frame);
+    std::optional<PageLayout> layout = arrange_on(shapes, frame, Seams::Best);
     if (layout && (!best || layout->pages.size() < best->pages.size())) best = std::move(layout);
   }
   if (!best)

@@ -74,6 +74,7 @@ PieceShapes piece_shapes(const Net& net, double scale, GlueTabs tabs) {
       if (grown[h] != nullptr) add_rim(*grown[h], outline);
     }
     PieceShape& piece = shapes.pieces[static_cast<std::size_t>(loop.piece)];
+    piece.area_mm2 += area_of(outline);
     shapes.area_mm2 += area_of(outline);
     piece.hull.insert(piece.hull.end(), outline.begin(), outline.end());
     piece.outlines.push_back(std::move(outline));

@@ -22,6 +22,7 @@ struct NetMark {
 };
 
 struct PieceShape {
+  double area_mm2 = 0;
   Hull hull;                                      ///< convex, counter-clockwise
   std::vector<std::vector<glm::dvec2>> outlines;  ///< closed, led round the tabs
   std::vector<NetMark> marks;

@@ -60,7 +60,10 @@ void add_canvases(PageLayout& layout, const HandLayout& placed, const PieceShape
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const HandLayout::Canvas& canvas = placed.canvases[i];
     if (canvas.columns * canvas.rows > 1) {
-      const Tiling tiling = best_tiling(areas[i], room, layout.overlap_mm, canvas.columns, canvas.rows);
+      Tiling tiling = even_tiling(areas[i], room, layout.overlap_mm, canvas.columns, canvas.rows);
+      if (auto moved = best_tiling(areas[i], room, layout.overlap_mm, canvas.columns, canvas.rows,
+                                   tiling.n_sheets, tiling.n_cut_marks))
+        tiling = std::move(*moved);
       add_tiled_canvas(layout, tiling, n_lettered_rows);
       n_lettered_rows += canvas.rows;
     } else {

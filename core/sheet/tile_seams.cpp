@@ -195,22 +195,24 @@ Tiling even_tiling(const TiledArea& area, glm::dvec2 window, double overlap, int
   return tiling_by(std::move(grid), area, n_cut_marks);
 }
 
-Tiling best_tiling(const TiledArea& area, glm::dvec2 window, double overlap, int columns, int rows) {
+std::optional<Tiling> best_tiling(const TiledArea& area, glm::dvec2 window, double overlap, int columns,
+                                  int rows, std::size_t most_sheets, int cuts_too_many) {
   const TileGrid even = TileGrid::even(window, overlap, columns, rows, area.box);
   const Axis across = axis_of(area, 0, even);
   const Axis down = axis_of(area, 1, even);
-  Tiling best = tiling_by(even, area, across.even_cuts + down.even_cuts);
-  for (const bool moves_columns : {false, true})
-    for (const bool moves_rows : {false, true}) {
-      const int n_cuts = (moves_columns ? across.moved_cuts : across.even_cuts) +
-                         (moves_rows ? down.moved_cuts : down.even_cuts);
-      if (!moves_columns && !moves_rows) continue;
-      TileGrid grid = even;
-      if (moves_columns) grid.column_seams = across.moved;
-      if (moves_rows) grid.row_seams = down.moved;
-      Tiling tiling = tiling_by(std::move(grid), area, n_cuts);
-      if (is_better(tiling, best)) best = std::move(tiling);
-    }
+  std::optional<Tiling> best;
+  // Where all seams are moved, fewer marks are cut, but more sheets may be touched.
+  for (const auto& [moves_columns, moves_rows] :
+       {std::pair(true, true), std::pair(true, false), std::pair(false, true), std::pair(false, false)}) {
+    const int n_cuts = (moves_columns ? across.moved_cuts : across.even_cuts) +
+                       (moves_rows ? down.moved_cuts : down.even_cuts);
+    if (n_cuts >= (best ? best->n_cut_marks : cuts_too_many)) continue;
+    TileGrid grid = even;
+    if (moves_columns) grid.column_seams = across.moved;
+    if (moves_rows) grid.row_seams = down.moved;
+    Tiling tiling = tiling_by(std::move(grid), area, n_cuts);
+    if (tiling.n_sheets <= most_sheets) best = std::move(tiling);
+  }
   return best;
 }
 

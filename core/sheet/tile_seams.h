@@ -2,6 +2,7 @@
 // and tabs, on no more sheets than evenly spaced ones take.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/sheet/piece_shapes.h"
@@ -29,9 +30,10 @@ struct Tiling {
 /// Evenly spaced seams.
 Tiling even_tiling(const TiledArea& area, glm::dvec2 window, double overlap, int columns, int rows);
 
-/// Seams wherever they cut the fewest marks without more sheets than even_tiling(); the windows follow, and
-/// overlap more where paper is left over.
-Tiling best_tiling(const TiledArea& area, glm::dvec2 window, double overlap, int columns, int rows);
+/// Seams wherever they cut the fewest marks on at most so many sheets; the windows follow, and overlap more
+/// where paper is left over. Nothing when that takes more sheets, or cuts `cuts_too_many` marks or more.
+std::optional<Tiling> best_tiling(const TiledArea& area, glm::dvec2 window, double overlap, int columns,
+                                  int rows, std::size_t most_sheets, int cuts_too_many);
 
 /// Fewer sheets, then fewer marks cut.
 bool is_better(const Tiling& a, const Tiling& b);
