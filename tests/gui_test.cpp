@@ -259,6 +259,26 @@ TEST(Gui, ExportsTheFormatThatWasChosen) {
   EXPECT_NE(content_of(folder.path() / "cube.svg").find("<svg"), std::string::npos);
 }
 
+TEST(Gui, ExportsAFolderForACutterAndReplacesItWhenAsked) {
+  Gui gui;
+  const TemporaryFolder folder;
+  gui.open_sample("Cube");
+  ASSERT_TRUE(gui.unfold());
+  for (int round = 0; round < 2; ++round) {
+    gui.click("menu/File");
+    gui.click("menu/Export as");
+    gui.click("menu/Laser cutter folder…");
+    gui.enter("browser/folder", folder.path().string());
+    EXPECT_FALSE(gui.widgets.find("export/format/PDF").has_value()) << "nothing to choose among";
+    gui.click("dialog/accept");
+    if (round == 1) gui.click("dialog/accept");  // "Replace"
+    ASSERT_TRUE(gui.until([&] { return gui.session().chore() == nullptr; }));
+    const auto svg = folder.path() / "cube.laser" / "cube-cut.svg";
+    ASSERT_TRUE(gui.until([&] { return content_of(svg).find("Fold Mountain") != std::string::npos; }));
+    std::filesystem::remove(svg);
+  }
+}
+
 TEST(Gui, OpensAFileFromTheBrowser) {
   Gui gui;
   const TemporaryFolder folder;

@@ -522,8 +522,21 @@ TEST_F(SessionTest, SavesTheProvedNet) {
   EXPECT_GT(std::filesystem::file_size(folder_ / "patch.fold"), 1000u);
 }
 
+TEST_F(SessionTest, SavesAFolderForACutterWithTheMarginsThatItsMarksNeed) {
+  open_and_unfold(bumpy());
+  session_.set_paper({.format = "A4", .margin_mm = 5});
+  session_.export_for_cutter(in_folder("ball.silhouette"), CutterPreset::Silhouette);
+  ASSERT_TRUE(frames_until([this] { return session_.chore() == nullptr; }));
+  EXPECT_TRUE(has_message(Message::Kind::Good, "Saved 3 files for the cutter into ball.silhouette"));
+  std::size_t n_files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder_ / "ball.silhouette"))
+    n_files += file.file_size() > 500 ? 1 : 0;
+  EXPECT_EQ(n_files, 3u);
+}
+
 TEST_F(SessionTest, SavesNothingWithoutAProvedNet) {
   open(endless());
+  session_.export_for_cutter(in_folder("early.laser"), CutterPreset::Laser);
   session_.export_to(in_folder("early.pdf"));
   session_.unfold();
   session_.export_to(in_folder("early.pdf"));
@@ -536,6 +549,7 @@ TEST_F(SessionTest, SavesNothingWithoutAProvedNet) {
   EXPECT_TRUE(has_message(Message::Kind::Notice, "still going"));
   EXPECT_EQ(session_.chore(), nullptr);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "early.pdf"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "early.laser"));
 }
 
 TEST_F(SessionTest, TellsWhenAFileCannotBeSaved) {

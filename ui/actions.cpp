@@ -63,6 +63,12 @@ std::string needs_sheets(const UiContext& c) {
   return c.session.sheets() == nullptr ? "The pages are still being laid out." : "";
 }
 
+std::string needs_project_sheets(const UiContext& c) {
+  const int viewed = c.session.viewed_run();
+  const bool is_own = viewed == 0 || viewed == c.session.accepted_run();
+  return is_own ? needs_sheets(c) : "Use this run's net first: the cutter gets the project's.";
+}
+
 std::string needs_width(const UiContext& c) {
   return c.ui.has_room_for_side ? "" : "The window is too narrow for the side panel.";
 }
@@ -308,10 +314,23 @@ const auto kActions = std::to_array<Action>({
      needs_sheets, [](UiContext& c) { ask_export(c, "pdf"); }, nullptr, nullptr},
     {ActionId::ExportSvg, "SVG drawing…", icon::kExportDrawing, {}, "Writes a drawing with named layers",
      needs_sheets, [](UiContext& c) { ask_export(c, "svg"); }, nullptr, nullptr},
+    {ActionId::ExportDxf, "DXF drawing…", "", {}, "Writes closed outlines and folds for cutting machines",
+     needs_sheets, [](UiContext& c) { ask_export(c, "dxf"); }, nullptr, nullptr},
     {ActionId::ExportPng, "PNG picture…", icon::kExportImage, {}, "Writes the pages as pictures",
      needs_sheets, [](UiContext& c) { ask_export(c, "png"); }, nullptr, nullptr},
+    {ActionId::ExportObj, "OBJ to paint on…", "", {}, "Writes the model with its net as texture coordinates",
+     needs_sheets, [](UiContext& c) { ask_export(c, "obj"); }, nullptr, nullptr},
     {ActionId::ExportFold, "FOLD file…", icon::kExport, {}, "Writes the net for origami programs",
      needs_sheets, [](UiContext& c) { ask_export(c, "fold"); }, nullptr, nullptr},
+    {ActionId::ExportSilhouette, "Silhouette folder…", "", {},
+     "Writes a PDF to print and SVG and DXF to cut, with the marks that Silhouette machines look for",
+     needs_project_sheets, [](UiContext& c) { ask_export(c, "silhouette"); }, nullptr, nullptr},
+    {ActionId::ExportCricut, "Cricut folder…", "", {},
+     "Writes a PDF to print and SVG and DXF to cut, without pictures in the files to cut",
+     needs_project_sheets, [](UiContext& c) { ask_export(c, "cricut"); }, nullptr, nullptr},
+    {ActionId::ExportLaser, "Laser cutter folder…", "", {},
+     "Writes PDF, SVG and DXF with hairlines in pure colours",
+     needs_project_sheets, [](UiContext& c) { ask_export(c, "laser"); }, nullptr, nullptr},
     {ActionId::Quit, "Quit", "", {'Q', kControlBit}, "Closes Netwright", always,
      ask_to_quit, nullptr, nullptr},
     {ActionId::Undo, "Undo", icon::kUndo, {'Z', kControlBit}, "Takes the last change back", needs_undo,

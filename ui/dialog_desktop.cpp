@@ -47,7 +47,9 @@ void Dialogs::take_desktop(UiContext& context) {
 }
 
 void Dialogs::export_net(UiContext& context, const std::filesystem::path& path) {
-  if (context.ui.export_run == 0) {
+  if (const auto cutter = cutter_named(context.ui.export_extension)) {
+    context.session.export_for_cutter(path, *cutter);
+  } else if (context.ui.export_run == 0) {
     context.session.export_to(path);
   } else {
     context.session.export_run(context.ui.export_run, path);

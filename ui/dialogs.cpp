@@ -8,6 +8,7 @@
 
 #include "core/mesh/read.h"
 #include "core/project/project_file.h"
+#include "core/sheet/cutter_package.h"
 #include "core/sheet/write.h"
 #include "ui/actions.h"
 #include "ui/leave.h"
@@ -169,6 +170,10 @@ void Dialogs::draw_open(UiContext& context) {
 }
 
 void Dialogs::choose_format(UiState& ui) {
+  if (cutter_named(ui.export_extension)) {
+    text_muted(ui, "A folder with a PDF to print, and SVG and DXF files to cut");
+    return;
+  }
   int chosen = 0;
   std::vector<std::string> labels;
   for (const ExportFormat& format : export_formats()) {

@@ -103,7 +103,9 @@ std::optional<fs::path> FileBrowser::accept() {
   if (!can_accept()) return std::nullopt;
   fs::path path = fs::path(name_).is_absolute() ? fs::path(name_) : folder_ / name_;
   std::error_code error;
-  if (fs::is_directory(path, error)) {
+  // What is saved may be a folder of its own, told by its extension.
+  const bool is_target = request_.mode == Mode::Save && extension_of(path) == request_.extensions.front();
+  if (fs::is_directory(path, error) && !is_target) {
     enter(path);
     return std::nullopt;
   }

@@ -68,7 +68,11 @@ void file_menu(UiContext& context) {
   const bool is_exporting = ImGui::BeginMenu("Export as");
   note_widget(context.ui, "menu/Export as");
   if (is_exporting) {
-    for (const ActionId id : {ActionId::ExportSvg, ActionId::ExportPng, ActionId::ExportFold})
+    for (const ActionId id : {ActionId::ExportSvg, ActionId::ExportDxf, ActionId::ExportPng,
+                              ActionId::ExportObj, ActionId::ExportFold})
+      entry(context, id);
+    ImGui::Separator();
+    for (const ActionId id : {ActionId::ExportSilhouette, ActionId::ExportCricut, ActionId::ExportLaser})
       entry(context, id);
     ImGui::EndMenu();
   }

@@ -316,18 +316,25 @@ std::shared_ptr<const std::vector<Sheet>> Session::sheets() const {
   return is_of_this_net ? impl_->derived->sheets : nullptr;
 }
 
-void Session::export_to(const std::filesystem::path& path) {
-  if (impl_->run || impl_->is_unfinished || !project().tree) {
+bool Session::may_export() {
+  const bool has_run = impl_->run != nullptr;
+  if (has_run || impl_->is_unfinished || !project().tree) {
     impl_->say(Message::Kind::Notice,
-               impl_->run ? "The search is still going: the net can be saved when it is done."
-                          : "There is no net without overlaps yet: unfold the model first, then save.");
-    return;
+               has_run ? "The search is still going: the net can be saved when it is done."
+                       : "There is no net without overlaps yet: unfold the model first, then save.");
+    return false;
   }
-  if (const Misplaced* const wrong = misplaced()) {
-    impl_->say(Message::Kind::Error, misplaced_sentence(*wrong));
-    return;
-  }
-  impl_->export_to(path, project(), impl_->derived);
+  const Misplaced* const wrong = misplaced();
+  if (wrong != nullptr) impl_->say(Message::Kind::Error, misplaced_sentence(*wrong));
+  return wrong == nullptr;
+}
+
+void Session::export_to(const std::filesystem::path& path) {
+  if (may_export()) impl_->export_to(path, project(), impl_->derived);
+}
+
+void Session::export_for_cutter(const std::filesystem::path& folder, CutterPreset preset) {
+  if (may_export()) impl_->export_for_cutter(folder, preset);
 }
 
 std::vector<Message> Session::take_messages() { return std::exchange(impl_->messages, {}); }

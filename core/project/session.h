@@ -19,6 +19,7 @@
 #include "core/project/run_figures.h"
 #include "core/project/run_list.h"
 #include "core/project/shown_net.h"
+#include "core/sheet/cutter_package.h"
 #include "core/sheet/pages.h"
 #include "core/sheet/sheet.h"
 #include "core/solve/solve.h"
@@ -245,6 +246,9 @@ class Session {
   [[nodiscard]] std::shared_ptr<const PageLayout> pages() const;
   /// Writes by the path's extension on the chores lane; success or failure arrives as a message.
   void export_to(const std::filesystem::path& path);
+  /// Writes all that a cutting machine needs into a folder, likewise. Pages whose margins are too narrow for
+  /// the machine's marks are laid out again with wider ones.
+  void export_for_cutter(const std::filesystem::path& folder, CutterPreset preset);
 
   // The project's file. Saving is a chore; success or failure arrives as a message.
   /// Empty until the project was saved or when it was opened from a model.
@@ -270,6 +274,8 @@ class Session {
   std::vector<Message> take_messages();
 
  private:
+  [[nodiscard]] bool may_export();  ///< else it has been said why not
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

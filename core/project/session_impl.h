@@ -151,6 +151,10 @@ struct Session::Impl {
   void derive_again();                                           ///< after every change of the project
   void export_to(const std::filesystem::path& path, const Project& source,
                  std::shared_ptr<const Derived> before);
+  void export_for_cutter(const std::filesystem::path& folder, CutterPreset preset);
+  /// Has the net derived on the chores lane and says the sentence that `write` returns.
+  void export_by(const std::string& name, const Project& source, std::shared_ptr<const Derived> before,
+                 std::function<std::string(const Derived&)> write);
 
   // Changes of the project and of what is shown.
   [[nodiscard]] const Project& project() const { return history.present(); }

@@ -124,23 +124,47 @@ bool Session::Impl::take_derived() {
 
 void Session::Impl::export_to(const std::filesystem::path& path, const Project& source,
                               std::shared_ptr<const Derived> before) {
+  export_by(path.filename().string(), source, std::move(before), [path](const Derived& now) {
+    const Project& printed = now.source;
+    const auto files =
+        write_drawing(path, now.shown->net, *now.pages, sheet_info(printed), printed.sheet, printed.exports);
+    return export_news(files, now.pages->pages.size());
+  });
+}
+
+void Session::Impl::export_for_cutter(const std::filesystem::path& folder, CutterPreset preset) {
+  export_by(folder.filename().string(), project(), derived, [folder, preset](const Derived& now) {
+    const Project& printed = now.source;
+    const Net& net = now.shown->net;
+    const PaperSetup paper = cutter_paper(printed.paper, preset);
+    const PageLayout layout =
+        paper == printed.paper ? *now.pages : arrange(net, paper, printed.size, printed.tabs);
+    const CutterPackage package = write_cutter_package(folder, net, layout, sheet_info(printed),
+                                                       printed.sheet, printed.exports, preset);
+    std::string news = "Saved " + counted(static_cast<std::int64_t>(package.files.size()), "file", "files") +
+                       " for the cutter into " + folder.filename().string();
+    for (const std::string& note : package.notes) news += ". " + note;
+    return news;
+  });
+}
+
+void Session::Impl::export_by(const std::string& name, const Project& source,
+                              std::shared_ptr<const Derived> before,
+                              std::function<std::string(const Derived&)> write) {
   auto chore = std::make_shared<Chore<Message>>(bell);
-  chore->progress = worker.submit(
-      Worker::Lane::Chores, [chore, path, source, before = std::move(before)](Progress& progress) {
-        const std::string name = path.filename().string();
-        progress.set_phase("Saving " + name);
-        auto news = std::make_shared<Message>();
-        try {
-          const std::shared_ptr<const Derived> now = derive(source, before, 0, progress);
-          if (!now->sheets) throw Error(ErrorKind::Usage, why_no_sheets(*now));
-          const auto files = write_drawing(path, now->shown->net, *now->pages, sheet_info(source),
-                                           source.sheet, source.exports);
-          *news = {Message::Kind::Good, export_news(files, now->pages->pages.size()), 0};
-        } catch (...) {
-          *news = {Message::Kind::Error, sentence_for_current_exception("Saving " + name), 0};
-        }
-        chore->result.post(std::move(news));
-      });
+  chore->progress = worker.submit(Worker::Lane::Chores, [chore, name, source, before = std::move(before),
+                                                         write = std::move(write)](Progress& progress) {
+    progress.set_phase("Saving " + name);
+    auto news = std::make_shared<Message>();
+    try {
+      const std::shared_ptr<const Derived> now = derive(source, before, 0, progress);
+      if (!now->sheets) throw Error(ErrorKind::Usage, why_no_sheets(*now));
+      *news = {Message::Kind::Good, write(*now), 0};
+    } catch (...) {
+      *news = {Message::Kind::Error, sentence_for_current_exception("Saving " + name), 0};
+    }
+    chore->result.post(std::move(news));
+  });
   exports.push_back(std::move(chore));
 }
 
