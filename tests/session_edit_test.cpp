@@ -41,8 +41,8 @@ TEST_F(SessionEdit, ACutFoldMakesTwoPiecesAndJoiningItAgainANetThatIsProvedAnew)
   ASSERT_NE(session_.shown(), nullptr);
   EXPECT_EQ(session_.shown()->net.n_pieces, 2);
   EXPECT_FALSE(session_.shown()->is_proved);
-  for (int i = 0; i < 50; ++i) frame();
-  EXPECT_EQ(session_.sheets(), nullptr) << "nothing in two pieces is printed";
+  ASSERT_TRUE(until_derived()) << "two sound pieces can be printed";
+  EXPECT_FALSE(session_.shown()->is_proved) << "which is not the one piece that was asked for";
   join(mesh().halfedge(e));
   ASSERT_TRUE(until_derived());
   EXPECT_TRUE(session_.shown()->is_proved);
@@ -55,6 +55,23 @@ TEST_F(SessionEdit, ACutFoldMakesTwoPiecesAndJoiningItAgainANetThatIsProvedAnew)
   session_.redo();
   ASSERT_TRUE(until_derived());
   EXPECT_TRUE(session_.shown()->is_proved);
+}
+
+TEST_F(SessionEdit, SplittingToFitIsOneStepAndThePiecesArePrinted) {
+  open_and_unfold(ball());
+  session_.set_size({PrintSize::Kind::Height, 300});
+  ASSERT_TRUE(frames_until([this] { return session_.pages() && session_.pages()->canvases[0].is_tiled(); }));
+  session_.split_to_fit();
+  ASSERT_TRUE(frames_until([this] { return session_.shown()->net.n_pieces > 1; }));
+  EXPECT_EQ(session_.undo_label(), "Undo split to fit");
+  ASSERT_TRUE(until_derived());
+  for (const PageLayout::Canvas& canvas : session_.pages()->canvases) EXPECT_FALSE(canvas.is_tiled());
+  EXPECT_EQ(session_.project().edits.must_cut.size() + 1,
+            static_cast<std::size_t>(session_.shown()->net.n_pieces));
+  session_.undo();
+  EXPECT_EQ(session_.project().edits.must_cut.size(), 0U);
+  ASSERT_TRUE(until_derived());
+  EXPECT_EQ(session_.shown()->net.n_pieces, 1);
 }
 
 TEST_F(SessionEdit, SolvingTheRestMakesOnePieceAroundTheCut) {

@@ -34,6 +34,14 @@ std::shared_ptr<const ShownNet> derive_net(const Project& project, const Derived
   return std::make_shared<const ShownNet>(std::move(shown));
 }
 
+/// Pieces that somebody cut on purpose are printed, too, when none of them overlaps itself.
+bool is_sound(const Project& project, const ShownNet& shown) {
+  if (shown.is_proved) return true;
+  const bool is_cut_up = !project.edits.must_cut.empty() && shown.overlaps.empty() &&
+                         shown.net.n_pieces > static_cast<int>(project.dual->mesh().n_components());
+  return is_cut_up && verify(to_flat_net(shown.net, 1), shown.net.n_pieces).is_net;
+}
+
 PageLayout pages_of(const Project& project, const Net& net) {
   if (!project.placed.is_automatic())
     if (std::optional<PageLayout> layout = lay_out(net, project.paper, project.placed, project.tabs))
@@ -70,9 +78,10 @@ void derive_sheets(Derived& derived, const Derived* before) {
     const Net& net = derived.shown->net;
     derived.pages = std::make_shared<const PageLayout>(pages_of(project, net));
     if (!project.placed.is_automatic()) derived.misplaced = find_misplaced(net, *derived.pages);
-    if (derived.shown->is_proved && derived.misplaced.is_nothing())
-      derived.sheets = std::make_shared<const std::vector<Sheet>>(draw_sheets(
-          net, *derived.pages, sheet_info(project), for_the_screen(project.sheet, *derived.pages)));
+    if (derived.is_sound && derived.misplaced.is_nothing())
+      derived.sheets = std::make_shared<const std::vector<Sheet>>(
+          draw_sheets(net, *derived.pages, sheet_info(project, derived.is_sound),
+                      for_the_screen(project.sheet, *derived.pages)));
   } catch (const Error& error) {
     derived.pages = nullptr;
     derived.fault = error.what();
@@ -88,15 +97,17 @@ std::shared_ptr<const Derived> derive(const Project& project, const std::shared_
   if (progress.is_cancelled()) return derived;
   derived->shown = derive_net(project, before.get(), version);
   if (progress.is_cancelled()) return derived;
+  const bool is_same = before && before->shown == derived->shown;
+  if (derived->shown) derived->is_sound = is_same ? before->is_sound : is_sound(project, *derived->shown);
   const bool has_pages = derived->shown && (derived->shown->is_proved || !project.edits.are_free());
   if (has_pages) derive_sheets(*derived, before.get());
   return derived;
 }
 
-SheetInfo sheet_info(const Project& project) {
+SheetInfo sheet_info(const Project& project, bool is_sound) {
   SheetInfo info;
   info.title = project.sheet.words.title;
-  info.is_proved = project.run && project.run->is_proved;
+  info.is_proved = is_sound || (project.run && project.run->is_proved);
   if (project.run) info.seed = project.run->seed;
   return info;
 }

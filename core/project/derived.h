@@ -16,10 +16,12 @@ namespace netwright {
 struct Derived {
   Project source;                         ///< what it was made from
   std::shared_ptr<const ShownNet> shown;  ///< null without a tree
+  /// The net is proved, or it was cut by hand into pieces each of which is proved.
+  bool is_sound = false;
   /// Null unless the net is proved or edited by hand.
   std::shared_ptr<const PageLayout> pages;
   Misplaced misplaced;  ///< on these pages, where pieces were put by hand
-  /// Null unless the net is proved and nothing is misplaced.
+  /// Null unless the net is sound and nothing is misplaced.
   std::shared_ptr<const std::vector<Sheet>> sheets;
   std::string fault;  ///< why there are no sheets (margins that leave no room …), one sentence; else empty
 };
@@ -30,7 +32,7 @@ struct Derived {
 std::shared_ptr<const Derived> derive(const Project& project, const std::shared_ptr<const Derived>& before,
                                       std::uint64_t version, Progress& progress);
 
-/// What the title block of a project's sheets says.
-SheetInfo sheet_info(const Project& project);
+/// What the title block of a project's sheets says; `is_sound` as in Derived.
+SheetInfo sheet_info(const Project& project, bool is_sound);
 
 }  // namespace netwright

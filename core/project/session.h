@@ -235,6 +235,10 @@ class Session {
   void place_pieces(const HandLayout& placed, const std::string& label);
   /// Back to the layout that is made by itself; one undo step.
   void rearrange_pieces();
+  /// Cuts a net that is larger than the paper into the fewest pieces that fit it: edits by hand, one undo
+  /// step, made when a chore has worked them out. That nothing is to be cut, or cannot be, is told as a
+  /// message.
+  void split_to_fit();
   [[nodiscard]] bool has_placed_pieces() const { return !project().placed.is_automatic(); }
   /// What of pages() cannot be printed as it lies; null when nothing is wrong or there are no pages.
   [[nodiscard]] const Misplaced* misplaced() const;

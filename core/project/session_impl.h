@@ -39,6 +39,12 @@ struct Session::Impl {
     std::shared_ptr<const MadeModel> model;
     std::string fault;
   };
+  struct Split {
+    std::shared_ptr<const UnfoldTree> of;
+    HandEdit edit;
+    std::shared_ptr<const ShownNet> shown;
+    std::string fault;
+  };
   struct Measured {
     std::shared_ptr<const MadeModel> made;
     double deviation;
@@ -109,6 +115,7 @@ struct Session::Impl {
   void take_tried(const Made& made);
   bool take_derived();
   bool take_exports();
+  bool take_split();
   bool take_run();
   bool show_replay();
   void watch_clock();
@@ -210,6 +217,7 @@ struct Session::Impl {
       false;  ///< a net was found meanwhile; when the hand lets go it gets its own undo step
   std::shared_ptr<Chore<Derived>> deriving;
   std::vector<std::shared_ptr<Chore<Message>>> exports;
+  std::shared_ptr<Chore<Split>> splitting;
 
   Keeper keeper{worker, bell};
   std::filesystem::path opening_file;        ///< of the project that is being read

@@ -126,8 +126,8 @@ void Session::Impl::export_to(const std::filesystem::path& path, const Project& 
                               std::shared_ptr<const Derived> before) {
   export_by(path.filename().string(), source, std::move(before), [path](const Derived& now) {
     const Project& printed = now.source;
-    const auto files =
-        write_drawing(path, now.shown->net, *now.pages, sheet_info(printed), printed.sheet, printed.exports);
+    const auto files = write_drawing(path, now.shown->net, *now.pages, sheet_info(printed, now.is_sound),
+                                     printed.sheet, printed.exports);
     return export_news(files, now.pages->pages.size());
   });
 }
@@ -139,7 +139,7 @@ void Session::Impl::export_for_cutter(const std::filesystem::path& folder, Cutte
     const PaperSetup paper = cutter_paper(printed.paper, preset);
     const PageLayout layout =
         paper == printed.paper ? *now.pages : arrange(net, paper, printed.size, printed.tabs);
-    const CutterPackage package = write_cutter_package(folder, net, layout, sheet_info(printed),
+    const CutterPackage package = write_cutter_package(folder, net, layout, sheet_info(printed, now.is_sound),
                                                        printed.sheet, printed.exports, preset);
     std::string news = "Saved " + counted(static_cast<std::int64_t>(package.files.size()), "file", "files") +
                        " for the cutter into " + folder.filename().string();
@@ -175,6 +175,25 @@ bool Session::Impl::take_exports() {
     return news != nullptr;
   };
   return std::erase_if(exports, is_done) > 0;
+}
+
+bool Session::Impl::take_split() {
+  const std::shared_ptr<const Split> split = splitting ? splitting->result.take() : nullptr;
+  if (!split) return false;
+  splitting = nullptr;
+  if (!split->fault.empty()) say(Message::Kind::Error, split->fault);
+  const bool is_of_this = split->of == project().tree && !run;
+  if (split->fault.empty() && is_of_this && split->edit.cut.empty())
+    say(Message::Kind::Notice, "Every piece fits the paper already.");
+  if (split->fault.empty() && is_of_this && !split->edit.cut.empty()) {
+    const HandEdit edit = split->edit;
+    Project next = netwright::edit_by_hand(project(), edit);
+    next.placed = {};  // what is smaller now is laid out anew
+    settled = stamp(std::make_shared<ShownNet>(*split->shown));
+    is_unfinished = false;
+    this->edit("split to fit", std::move(next));
+  }
+  return true;
 }
 
 bool Session::Impl::take_run() {
@@ -339,6 +358,7 @@ bool Session::Impl::poll() {
   has_changed |= take_measured();
   has_changed |= take_derived();
   has_changed |= take_exports();
+  has_changed |= take_split();
   has_changed |= take_leftovers();
   has_changed |= watch_files();
   has_changed |= take_view();

@@ -17,7 +17,9 @@ namespace netwright {
 namespace {
 
 constexpr int kAngles = 8;
-constexpr double kLongestSide = 400;  ///< cells along the page
+constexpr int kFewAngles = 4;  ///< where there are many pieces, which fill each other's bays anyway
+constexpr std::size_t kManyPieces = 50;
+constexpr double kLongestSide = 280;  ///< cells along the page
 constexpr double kLeastCell_mm = 0.5;
 constexpr double kTolerance_mm = 1e-6;
 
@@ -45,14 +47,14 @@ void shift_down(const Bits& from, int by, Bits& to) {
 /// The piece's cells at one angle, from its lowest and leftmost point on.
 struct Raster {
   struct Run {
+    int row = 0;
     int first = 0;
     int length = 0;
   };
   double angle_rad = 0;
   glm::dvec2 corner{0, 0};  ///< of the turned outlines' box
   glm::dvec2 size_mm{0, 0};
-  std::vector<Bits> rows;
-  std::vector<std::vector<Run>> runs;  ///< of each row
+  std::vector<Run> runs;  ///< the longest first: where they do not fit, nothing does
 };
 
 /// Marks the cells that a side runs through.
@@ -98,15 +100,14 @@ void mark_inside(const Outlines& outlines, double cell, std::vector<Bits>& rows)
   }
 }
 
-std::vector<Raster::Run> runs_of(const Bits& bits) {
-  std::vector<Raster::Run> runs;
+void add_runs(const Bits& bits, int row, std::vector<Raster::Run>& runs) {
+  bool was_set = false;
   for (int i = 0; i < static_cast<int>(bits.size()) * 64; ++i) {
     const bool is_set = (bits[static_cast<std::size_t>(i / 64)] >> static_cast<unsigned>(i % 64) & 1U) != 0;
-    if (!is_set) continue;
-    if (runs.empty() || runs.back().first + runs.back().length < i) runs.push_back({i, 0});
-    ++runs.back().length;
+    if (is_set && !was_set) runs.push_back({row, i, 0});
+    if (is_set) ++runs.back().length;
+    was_set = is_set;
   }
-  return runs;
 }
 
 Raster rasterized(const Outlines& outlines, double angle_rad, double cell) {
@@ -123,12 +124,14 @@ Raster rasterized(const Outlines& outlines, double angle_rad, double cell) {
   raster.size_mm = box.size();
   const int columns = static_cast<int>(std::floor(raster.size_mm.x / cell)) + 2;
   const int rows = static_cast<int>(std::floor(raster.size_mm.y / cell)) + 1;
-  raster.rows.assign(static_cast<std::size_t>(rows), Bits(words_for(columns), 0));
+  std::vector<Bits> bits(static_cast<std::size_t>(rows), Bits(words_for(columns), 0));
   for (const std::vector<glm::dvec2>& outline : turned)
     for (std::size_t i = 0; i < outline.size(); ++i)
-      mark_side(outline[i], outline[(i + 1) % outline.size()], cell, raster.rows);
-  mark_inside(turned, cell, raster.rows);
-  for (const Bits& row : raster.rows) raster.runs.push_back(runs_of(row));
+      mark_side(outline[i], outline[(i + 1) % outline.size()], cell, bits);
+  mark_inside(turned, cell, bits);
+  for (int row = 0; row < rows; ++row) add_runs(bits[static_cast<std::size_t>(row)], row, raster.runs);
+  std::stable_sort(raster.runs.begin(), raster.runs.end(),
+                   [](const Raster::Run& a, const Raster::Run& b) { return a.length > b.length; });
   return raster;
 }
 
@@ -159,48 +162,48 @@ class PageMap {
     Spot spot;
     const int last_x = static_cast<int>(std::floor((page_.x - piece.size_mm.x) / cell_ + kTolerance_mm));
     if (last_x < 0) return spot;
+    Bits all(rows_.front().size(), 0);
+    set_bits(all, 0, last_x);
+    Bits free;
+    Bits taken;
+    Bits shifted;
     for (int y = 0;; ++y) {
       const double top = y * cell_ + piece.size_mm.y;
       if (top > page_.y + kTolerance_mm || top >= top_mm) return spot;
-      Bits free(rows_.front().size(), 0);
-      set_bits(free, 0, last_x);
-      if (narrow(free, piece, y)) return {first_bit(free), y, top};
+      free = all;
+      if (narrow(free, taken, shifted, piece, y)) return {first_bit(free), y, top};
     }
   }
 
   void put(const Raster& piece, const Spot& spot) {
-    for (std::size_t r = 0; r < piece.runs.size(); ++r)
-      for (const Raster::Run& run : piece.runs[r])
-        for (int dy = 1 - static_cast<int>(reach_.size()); dy < static_cast<int>(reach_.size()); ++dy) {
-          const int row = spot.y + static_cast<int>(r) + dy;
-          if (row < 0 || row >= static_cast<int>(rows_.size())) continue;
-          const int reach = reach_[static_cast<std::size_t>(std::abs(dy))];
-          const int first = spot.x + run.first;
-          set_bits(rows_[static_cast<std::size_t>(row)], first - reach, first + run.length - 1 + reach);
-        }
+    const int most = static_cast<int>(reach_.size()) - 1;
+    for (const Raster::Run& run : piece.runs)
+      for (int dy = -most; dy <= most; ++dy) {
+        const int row = spot.y + run.row + dy;
+        if (row < 0 || row >= static_cast<int>(rows_.size())) continue;
+        const int reach = reach_[static_cast<std::size_t>(std::abs(dy))];
+        const int first = spot.x + run.first;
+        set_bits(rows_[static_cast<std::size_t>(row)], first - reach, first + run.length - 1 + reach);
+      }
   }
 
  private:
   /// Strikes out the places at which the piece would meet what is taken; false when none is left.
-  [[nodiscard]] bool narrow(Bits& free, const Raster& piece, int y) const {
-    Bits taken;
-    Bits shifted;
-    for (std::size_t r = 0; r < piece.runs.size(); ++r) {
-      const std::size_t row = static_cast<std::size_t>(y) + r;
-      if (row >= rows_.size()) break;
-      for (const Raster::Run& run : piece.runs[r]) {
-        shift_down(rows_[row], run.first, taken);
-        // Taken anywhere in the run: doubling the length that is looked at.
-        for (int length = 1; length < run.length;) {
-          const int step = std::min(length, run.length - length);
-          shift_down(taken, step, shifted);
-          for (std::size_t i = 0; i < taken.size(); ++i) taken[i] |= shifted[i];
-          length += step;
-        }
-        std::uint64_t left = 0;
-        for (std::size_t i = 0; i < free.size(); ++i) left |= free[i] &= ~taken[i];
-        if (left == 0) return false;
+  [[nodiscard]] bool narrow(Bits& free, Bits& taken, Bits& shifted, const Raster& piece, int y) const {
+    for (const Raster::Run& run : piece.runs) {
+      const auto row = static_cast<std::size_t>(y + run.row);
+      if (row >= rows_.size()) continue;
+      shift_down(rows_[row], run.first, taken);
+      // Taken anywhere in the run: doubling the length that is looked at.
+      for (int length = 1; length < run.length;) {
+        const int step = std::min(length, run.length - length);
+        shift_down(taken, step, shifted);
+        for (std::size_t i = 0; i < taken.size(); ++i) taken[i] |= shifted[i];
+        length += step;
       }
+      std::uint64_t left = 0;
+      for (std::size_t i = 0; i < free.size(); ++i) left |= free[i] &= ~taken[i];
+      if (left == 0) return false;
     }
     return true;
   }
@@ -218,20 +221,24 @@ class PageMap {
   std::vector<int> reach_;
 };
 
-std::vector<Raster> rasters_of(const PieceToPack& piece, glm::dvec2 page, double cell) {
+std::vector<Raster> rasters_of(const PieceToPack& piece, int n_angles, glm::dvec2 page, double cell) {
   std::vector<glm::dvec2> points;
   for (const std::vector<glm::dvec2>& outline : piece.outlines)
     points.insert(points.end(), outline.begin(), outline.end());
   const double flat =
       best_angle(convex_hull(std::move(points)), [](glm::dvec2 size) { return size.x * size.y; });
-  std::vector<double> angles{piece.angle_rad};
-  for (int k = 0; k < kAngles; ++k) angles.push_back(flat + k * 2 * std::numbers::pi / kAngles);
+  std::vector<double> angles;
+  // The angle at which it is known to fit comes in only where no other one will do.
+  for (int k = 0; k < n_angles; ++k) angles.push_back(flat + k * 2 * std::numbers::pi / n_angles);
   std::vector<Raster> rasters;
   for (const double angle : angles) {
     Raster raster = rasterized(piece.outlines, angle, cell);
     if (raster.size_mm.x <= page.x + kTolerance_mm && raster.size_mm.y <= page.y + kTolerance_mm)
       rasters.push_back(std::move(raster));
   }
+  if (rasters.empty()) rasters.push_back(rasterized(piece.outlines, piece.angle_rad, cell));
+  const glm::dvec2 size = rasters.front().size_mm;
+  if (size.x > page.x + kTolerance_mm || size.y > page.y + kTolerance_mm) rasters.clear();
   return rasters;
 }
 
@@ -306,7 +313,7 @@ std::optional<std::vector<PackedOutline>> pack_outlines(const std::vector<PieceT
   const double cell = std::max(kLeastCell_mm, std::max(page.x, page.y) / kLongestSide);
   std::vector<std::vector<Raster>> rasters;
   for (const PieceToPack& piece : pieces) {
-    rasters.push_back(rasters_of(piece, page, cell));
+    rasters.push_back(rasters_of(piece, pieces.size() > kManyPieces ? kFewAngles : kAngles, page, cell));
     if (rasters.back().empty()) return std::nullopt;
   }
   std::vector<std::size_t> order(pieces.size());
