@@ -79,9 +79,9 @@ inline std::string output_of(std::vector<std::string> command) {
   const std::string tool = command.front();
   const ChildResult result = run_child("/usr/bin/env", command, "", {.seconds = 60});
   EXPECT_EQ(result.end, ChildResult::End::Exited) << tool << " did not end by itself";
-  EXPECT_NE(result.exit_code, 127) << tool
-                                   << " is not installed (packages poppler-utils, mupdf-tools, imagemagick)";
-  EXPECT_EQ(result.exit_code, 0) << tool << " failed";
+  EXPECT_NE(result.exit_code, 127)
+      << tool << " is not installed (packages poppler-utils, mupdf-tools, imagemagick, librsvg2-bin)";
+  EXPECT_EQ(result.exit_code, 0) << tool << " failed (Python needs the package python3-ezdxf)";
   return result.output;
 }
 
