@@ -93,9 +93,8 @@ class Arranger {
 
   /// Angles whose grids are small enough to look into; else the one whose grid is the smallest, if that can
   /// be drawn at all.
-  [[nodiscard]] std::vector<double> tiling_angles(const Hull& hull) const {
-    constexpr int kAngles = 120;
-    const int step = seams_ == Seams::Best ? 1 : 4;
+  [[nodiscard]] std::vector<double> tiling_angles(const Hull& hull, int step) const {
+    constexpr int kAngles = 360;
     std::vector<double> angles;
     std::pair<std::size_t, double> fewest{std::numeric_limits<std::size_t>::max(), 0};
     for (int k = 0; k < kAngles; k += step) {
@@ -112,19 +111,19 @@ class Arranger {
   /// As few sheets as evenly spaced seams take at their best angle, and of all seams and angles that take no
   /// more those that cut the fewest marks.
   bool tile(std::size_t piece, const Hull& hull) {
-    std::vector<Tiled> ways;
     std::optional<Tiling> best;
     PageLayout::Placement place;
-    for (const double angle_rad : tiling_angles(hull)) {
-      ways.push_back(tiled_at(piece, angle_rad));
-      Tiling even = evenly(ways.back());
+    for (const double angle_rad : tiling_angles(hull, seams_ == Seams::Best ? 6 : 12)) {
+      const Tiled way = tiled_at(piece, angle_rad);
+      Tiling even = evenly(way);
       if (best && !is_better(even, *best)) continue;
       best = std::move(even);
-      place = ways.back().place;
+      place = way.place;
     }
     if (!best) return false;
     const std::size_t n_sheets = best->n_sheets;
-    for (const Tiled& way : seams_ == Seams::Best ? ways : std::vector<Tiled>()) {
+    for (const double angle_rad : seams_ == Seams::Best ? tiling_angles(hull, 1) : std::vector<double>()) {
+      const Tiled way = tiled_at(piece, angle_rad);
       std::optional<Tiling> tiling =
           best_tiling(way.area, room(), kTileOverlap, way.columns, way.rows, n_sheets, best->n_cut_marks);
       if (!tiling) continue;

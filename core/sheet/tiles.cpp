@@ -31,6 +31,15 @@ double window_start(double low, double high, double window, double size) {
   return std::clamp((low + high - window) / 2, 0.0, std::max(0.0, size - window));
 }
 
+/// Where the outline crosses the level line at this height, upwards (1) or downwards (-1).
+std::vector<std::pair<double, int>> crossings_at(const std::vector<Segment>& outline, double y) {
+  std::vector<std::pair<double, int>> crossings;
+  for (const auto& [a, b] : outline)
+    if ((a.y <= y) != (b.y <= y))
+      crossings.emplace_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)), a.y <= y ? 1 : -1);
+  return crossings;
+}
+
 }  // namespace
 
 int winding_number(const std::vector<Segment>& outline, glm::dvec2 p) {
@@ -95,15 +104,21 @@ std::vector<char> needed_tiles(const TileGrid& grid, const std::vector<Segment>&
         if (needed == 0 && clip_segment(grid.share(column, row), a, b)) needed = 1;
       }
   }
-  for (int row = 0; row < grid.rows(); ++row)
-    for (int column = 0; column < grid.columns(); ++column) {
-      // Where no outline runs through it, one point of the share speaks for all of it.
+  // Where no outline runs through a tile, one point of its share speaks for all of it.
+  for (int row = 0; row < grid.rows(); ++row) {
+    const auto middle_of = [&](int column) {
       const Box2 share = grid.share(column, row);
-      const glm::dvec2 centre =
-          (glm::max(share.min, grid.content.min) + glm::min(share.max, grid.content.max)) * 0.5;
+      return (glm::max(share.min, grid.content.min) + glm::min(share.max, grid.content.max)) * 0.5;
+    };
+    const std::vector<std::pair<double, int>> crossings = crossings_at(outline, middle_of(0).y);
+    for (int column = 0; column < grid.columns(); ++column) {
       char& needed = is_needed[grid.index(column, row)];
-      if (needed == 0 && winding_number(outline, centre) != 0) needed = 1;
+      if (needed != 0) continue;
+      int winding = 0;
+      for (const auto& [x, turn] : crossings) winding += x > middle_of(column).x ? turn : 0;
+      if (winding != 0) needed = 1;
     }
+  }
   return is_needed;
 }
 
