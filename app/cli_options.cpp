@@ -287,9 +287,9 @@ class Reader {
     PrintOptions& print = unfold_.print;
     app.add_option("--tabs", print.tabs,
                    "Glue tabs: their width in mm (5), 0 or none for none, 10 mm for a child, on one side of "
-                   "each cut or both, "
-                   "taking turns")
-        ->type_name("MM|none|child|one|both|alternating,…")
+                   "each cut or both, taking turns; everywhere: a net with room for a tab at every cut is "
+                   "searched for")
+        ->type_name("MM|none|child|one|both|alternating|everywhere,…")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->take_all()

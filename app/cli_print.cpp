@@ -14,7 +14,8 @@ namespace netwright {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kTabWords = {"none", "child", "one", "both", "alternating"};
+constexpr std::array<std::string_view, 6> kTabWords = {"none", "child",       "one",
+                                                       "both", "alternating", "everywhere"};
 constexpr std::array<std::string_view, 6> kLabelWords = {"none",  "all",    "angles",
                                                          "faces", "pieces", "reverse"};
 constexpr std::array<std::string_view, 4> kLineWords = {"origami", "kit", "solid", "cutter"};
@@ -72,6 +73,7 @@ void apply_tabs(const PrintOptions& options, TabSettings& tabs) {
     if (word == "child") tabs.width_mm = kChildTabWidth;
     if (word == "one") tabs.pattern = TabSettings::Pattern::BestSide;
     if (word == "both") tabs.pattern = TabSettings::Pattern::BothSides;
+    if (word == "everywhere") tabs.in_search = true;
     if (word == "alternating") tabs.pattern = TabSettings::Pattern::Alternating;
     if (tabs.is_on && width_mm) tabs.width_mm = *width_mm;
   }
@@ -110,7 +112,8 @@ std::string why_not_tabs(const std::string& word) {
   const bool is_width =
       width_mm && (*width_mm == 0 || (*width_mm >= kLeastTabWidth && *width_mm <= kMostTabWidth));
   if (is_width || place_of(word, kTabWords)) return {};
-  return "it must be 0 or a number of millimetres from 2 to 50, none, child, one, both or alternating";
+  return "it must be 0 or a number of millimetres from 2 to 50, none, child, one, both, "
+         "alternating or everywhere";
 }
 
 std::string why_not_label(const std::string& word) { return why_none_of(word, kLabelWords); }

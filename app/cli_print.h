@@ -12,7 +12,7 @@ namespace netwright {
 
 /// As it was typed; all words are known to be good.
 struct PrintOptions {
-  std::vector<std::string> tabs;  ///< a width in mm, or none, child, one, both, alternating
+  std::vector<std::string> tabs;  ///< a width in mm, or none, child, one, both, alternating, everywhere
   std::optional<double> tab_angle_deg;
   std::vector<std::string> labels;  ///< all, angles, faces, pieces, reverse
   bool has_no_numbers = false;

@@ -40,6 +40,14 @@ std::string result_line(const UnfoldOutcome& outcome, const UnfoldCommand& comma
          " · seed " + std::to_string(command.seed);
 }
 
+std::string tabs_line(const GlueTabs& tabs) {
+  const auto count = [](const auto& list, const char* one, const char* many) {
+    return counted(static_cast<std::int64_t>(list.size()), one, many);
+  };
+  return count(tabs.tabs, "glue tab", "glue tabs") +
+         (tabs.missing.empty() ? "." : ", " + count(tabs.missing, "cut", "cuts") + " without room for one.");
+}
+
 std::string files_line(const std::vector<std::filesystem::path>& files, const PageLayout& layout,
                        const UnfoldCommand& command) {
   std::string line;

@@ -25,6 +25,8 @@ struct UnfoldOutcome {
 std::string model_line(const Mesh& mesh);
 /// "One piece, proved: no overlaps · 61 moves · 12 ms · seed 7"
 std::string result_line(const UnfoldOutcome& outcome, const UnfoldCommand& command);
+/// "87 glue tabs, 3 cuts without room for one."
+std::string tabs_line(const GlueTabs& tabs);
 /// "bunny.pdf: 1 page A4, model 83 mm high"
 std::string files_line(const std::vector<std::filesystem::path>& files, const PageLayout& layout,
                        const UnfoldCommand& command);

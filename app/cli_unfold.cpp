@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/project/commands.h"
 #include "core/project/project_file.h"
+#include "core/project/tab_aim.h"
 #include "core/sheet/page_frame.h"
 #include "core/sheet/split_to_fit.h"
 #include "core/sheet/write.h"
@@ -82,6 +83,7 @@ SolveOptions solve_options(const UnfoldCommand& command, const CliModel& model) 
   options.pins = model.start ? pins_with_edits(project) : project.pins;
   options.from = model.start;
   options.stays_near = model.start != nullptr;
+  options.tabs = tab_aim(command.paper, command.size, project.tabs);
   return options;
 }
 
@@ -159,6 +161,7 @@ void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, co
   if (!drawing.split.cut.empty())
     print("Cut into " + std::to_string(drawing.net.n_pieces) + " pieces that fit a page of " +
           command.paper.format + ".");
+  if (!drawing.files.empty() && !drawing.layout.tabs.tabs.empty()) print(tabs_line(drawing.layout.tabs));
   if (!drawing.files.empty()) print(files_line(drawing.files, drawing.layout, command));
 }
 
@@ -195,6 +198,10 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
   outcome.wall_seconds = now_seconds() - start;
   if (command.is_json) {
     Json json = unfold_json(outcome, command);
+    if (!drawing.files.empty()) {
+      json.set("glue_tabs", static_cast<std::int64_t>(drawing.layout.tabs.tabs.size()));
+      json.set("cuts_without_tab", static_cast<std::int64_t>(drawing.layout.tabs.missing.size()));
+    }
     if (command.print.splits_to_fit && !drawing.files.empty())
       json.set("printed_pieces", drawing.net.n_pieces);
     if (model.replaced) json.set("replaced", replaced_json(*model.replaced));

@@ -61,6 +61,19 @@ TEST_F(CommandLine, PrintsAsAskedFor) {
   }
 }
 
+TEST_F(CommandLine, LooksForANetWithRoomForTabsEverywhere) {
+  const std::string model = write("cube.obj", shapes::grid_cube(4));
+  const auto n_without = [&](const std::string& tabs) {
+    const Json json = run_json({"unfold", model, "--json", "--seed", "5", "--streams", "1", "--height", "60",
+                                "--tabs", tabs, "-o", at("net.pdf")},
+                               0);
+    return json.find("cuts_without_tab")->integer().value();
+  };
+  const std::int64_t plain = n_without("5");
+  EXPECT_GT(plain, 10);
+  EXPECT_LT(4 * n_without("5,everywhere"), plain);
+}
+
 TEST_F(CommandLine, ReportsWithoutWritingWhenNoOutputIsNamed) {
   const Ended ended = run({"unfold", write("cube.obj", shapes::cube())});
   EXPECT_EQ(ended.status, 0);

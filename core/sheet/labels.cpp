@@ -128,7 +128,8 @@ class Labeller {
 
   void number_edges() {
     const Mesh& mesh = net_.mesh();
-    const IdVector<EdgeId, int> numbers = cut_numbers(net_, settings_.labels.skips_obvious);
+    const IdVector<EdgeId, int> numbers =
+        cut_numbers(net_, settings_.labels.skips_obvious, strip_cuts(layout_, settings_));
     std::vector<std::vector<Wish>> wishes(mesh.n_faces());
     std::vector<Label> found;
     for (const EdgeId e : mesh.edges()) {
@@ -288,7 +289,7 @@ std::string piece_name(int piece) {
   return name;
 }
 
-IdVector<EdgeId, int> cut_numbers(const Net& net, bool skips_obvious) {
+IdVector<EdgeId, int> cut_numbers(const Net& net, bool skips_obvious, const std::vector<EdgeId>& tabless) {
   const Mesh& mesh = net.mesh();
   IdVector<EdgeId, int> numbers(mesh.n_edges(), 0);
   IdVector<EdgeId, char> is_skipped(mesh.n_edges(), 0);
@@ -297,6 +298,7 @@ IdVector<EdgeId, int> cut_numbers(const Net& net, bool skips_obvious) {
     for (std::size_t i = 0; skips_obvious && i < loop.sides.size(); ++i)
       if (is_obvious(net, loop.sides[i], loop.sides[(i + 1) % loop.sides.size()]))
         is_skipped[mesh.edge(loop.sides[i])] = 1;
+  for (const EdgeId e : tabless) is_skipped[e] = 0;
   int count = 0;
   for (const OutlineLoop& loop : loops)
     for (const HalfedgeId h : loop.sides) {

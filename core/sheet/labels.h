@@ -44,8 +44,15 @@ inline FontWeight weight_of(Label::Kind kind) {
 /// piece, then on along the next.
 PlacedLabels place_labels(const Net& net, const PageLayout& layout, const SheetSettings& settings);
 
-/// The number of each cut that gets one, in the order of the outline; 0 for all other edges.
-IdVector<EdgeId, int> cut_numbers(const Net& net, bool skips_obvious);
+/// The number of each cut that gets one, in the order of the outline; 0 for all other edges. Those `tabless`
+/// are not obvious: a loose strip belongs to them.
+IdVector<EdgeId, int> cut_numbers(const Net& net, bool skips_obvious,
+                                  const std::vector<EdgeId>& tabless = {});
+
+/// Cuts for which loose strips are made.
+inline std::vector<EdgeId> strip_cuts(const PageLayout& layout, const SheetSettings& settings) {
+  return settings.loose_strips ? layout.tabs.missing : std::vector<EdgeId>();
+}
 
 /// Numbers that read as another one upside down end with a point: "6." and "9.", "86." and "98.".
 std::string number_words(int number);

@@ -57,7 +57,7 @@ std::vector<LooseStrip> loose_strips(const Net& net, const PageLayout& layout, c
                                      const PlacedLabels& labels) {
   std::vector<LooseStrip> strips;
   if (!settings.loose_strips || layout.tabs.missing.empty()) return strips;
-  const IdVector<EdgeId, int> numbers = cut_numbers(net, settings.labels.skips_obvious);
+  const IdVector<EdgeId, int> numbers = cut_numbers(net, settings.labels.skips_obvious, layout.tabs.missing);
   const auto has_number = [&](EdgeId e) {
     return settings.labels.edge_numbers && !std::ranges::binary_search(labels.left_out, e);
   };
