@@ -120,7 +120,8 @@ TEST(Arranging, TabsSnapToTheRoomOnTheSheet) {
   const glm::dvec2 way(-was.min.x / gui.mm_per_pixel() + 4, 0);
   gui.drag_and_wait(gui.pixel_of(0), gui.pixel_of(0) + way);
   EXPECT_NEAR(gui.box_of(0).min.x, 0, 1e-6);
-  EXPECT_EQ(gui.session().misplaced(), nullptr);
+  const Misplaced* const wrong = gui.session().misplaced();
+  EXPECT_TRUE(wrong == nullptr || wrong->over_edge.empty());
 }
 
 TEST(Arranging, TheHandleTurnsInStepsAndToEdgesAndFreelyWithCtrl) {

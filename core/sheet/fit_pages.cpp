@@ -108,11 +108,11 @@ PageLayout fit_zoom(const PieceShapes& shapes, const PageFrame& frame, int n_pag
 
 /// Shrinks what fits without tabs until it fits with those that this size has.
 PageLayout fit_with_tabs(const Net& net, const PageFrame& frame, int n_pages, const TabSettings& tabs,
-                         PageLayout bare) {
+                         double bare_scale) {
   constexpr int kRounds = 12;
   // Smaller faces under tabs of the same width: from the second round on the error is of second order.
   constexpr double kSlack = 0.9995;
-  double scale = bare.scale;
+  double scale = bare_scale;
   for (int round = 0; round < kRounds; ++round) {
     const PieceShapes shapes = piece_shapes(net, scale, tabs);
     std::optional<PageLayout> layout = arrange_on(shapes, frame, Seams::Best);
@@ -134,7 +134,7 @@ PageLayout fit_pages(const Net& net, const std::vector<PageFrame>& frames, int n
   std::optional<PageLayout> best;
   for (const PageFrame& frame : frames) {
     PageLayout layout = fit_zoom(shapes, frame, n_pages);
-    if (tabs.is_on) layout = fit_with_tabs(net, frame, n_pages, tabs, std::move(layout));
+    if (tabs.is_on) layout = fit_with_tabs(net, frame, n_pages, tabs, layout.scale);
     if (!best || layout.scale > best->scale * 1.001) best = std::move(layout);
   }
   return *best;
