@@ -58,7 +58,7 @@ TEST(TabsPanel, SetsKindAndWidthAndCountsWhatCame) {
   EXPECT_FALSE(gui.session().project().tabs.is_on);
   gui.settle();
   EXPECT_FALSE(gui.widgets.find("tabs/width").has_value()) << "without tabs there is nothing to set";
-  EXPECT_TRUE(gui.session().pages()->tabs.tabs.empty());
+  EXPECT_TRUE(gui.until([&] { return gui.session().pages() && gui.session().pages()->tabs.tabs.empty(); }));
   gui.session().undo();
   gui.session().undo();
   EXPECT_EQ(gui.session().project().tabs.width_mm, 7);

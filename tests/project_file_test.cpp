@@ -90,6 +90,7 @@ void set_printing(Project& project) {
   sheet.is_grey = true;
   const Image logo{.width = 2, .height = 1, .rgba = {1, 2, 3, 4, 5, 6, 7, 8}};
   sheet.words = {"Globe", "A. Folder", "120 g/m²", std::make_shared<const Image>(logo)};
+  project.glued = {EdgeId(3), EdgeId(7)};
   project.exports = {true, true, true, 144, InstructionPage::Last};
   sheet.hidden_folds = {EdgeId(1), EdgeId(6)};
   sheet.shown_folds = {EdgeId(8)};
@@ -339,6 +340,7 @@ TEST(ProjectFile, TheSecondVersionKnowsTabsLinesAndWords) {
   set_printing(wanted);
   EXPECT_EQ(project.tabs, wanted.tabs);
   EXPECT_EQ(project.exports, wanted.exports);
+  EXPECT_EQ(project.glued, wanted.glued);
   expect_same(project.sheet, wanted.sheet);
 }
 

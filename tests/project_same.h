@@ -107,6 +107,7 @@ inline void expect_same(const Project& a, const Project& b) {
   EXPECT_EQ(a.size, b.size);
   EXPECT_EQ(a.tabs, b.tabs);
   EXPECT_EQ(a.exports, b.exports);
+  EXPECT_EQ(a.glued, b.glued);
   expect_same(a.sheet, b.sheet);
   EXPECT_EQ(a.placed, b.placed);
 }

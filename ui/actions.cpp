@@ -8,6 +8,7 @@
 
 #include "assets/icons.h"
 #include "ui/arranging.h"
+#include "ui/assembly.h"
 #include "ui/editing.h"
 #include "ui/leave.h"
 #include "ui/measure.h"
@@ -67,6 +68,12 @@ std::string needs_project_sheets(const UiContext& c) {
   const int viewed = c.session.viewed_run();
   const bool is_own = viewed == 0 || viewed == c.session.accepted_run();
   return is_own ? needs_sheets(c) : "Use this run's net first: the cutter gets the project's.";
+}
+
+/// Runs that are only looked at are not printed.
+std::string needs_own_sheets(const UiContext& c) {
+  const std::string reason = needs_sheets(c);
+  return reason.empty() && c.session.sheets() == nullptr ? "Only the project's own net is printed." : reason;
 }
 
 std::string needs_width(const UiContext& c) {
@@ -310,6 +317,8 @@ const auto kActions = std::to_array<Action>({
      needs_model, [](UiContext& c) { c.ui.dialog = Dialog::Save; }, nullptr, nullptr},
     {ActionId::Recover, "Recover unsaved work…", "", {}, "Opens what was not saved before Netwright ended",
      needs_leftovers, [](UiContext& c) { c.ui.dialog = Dialog::Recover; }, nullptr, nullptr},
+    {ActionId::PrintPages, "Print…", icon::kPrint, {'I', kControlBit}, "Sends sheets to a printer at true size",
+     needs_own_sheets, [](UiContext& c) { c.ui.dialog = Dialog::Print; }, nullptr, nullptr},
     {ActionId::ExportPdf, "Export PDF…", icon::kPrint, {'P', kControlBit}, "Writes the pages for the printer",
      needs_sheets, [](UiContext& c) { ask_export(c, "pdf"); }, nullptr, nullptr},
     {ActionId::ExportSvg, "SVG drawing…", icon::kExportDrawing, {}, "Writes a drawing with named layers",
@@ -418,6 +427,12 @@ const auto kActions = std::to_array<Action>({
      toggle_tab_tool, [](const UiContext& c) { return c.ui.tabbing.is_on; }, nullptr},
     {ActionId::HideFolds, "Hide fold line", "", {'H', 0}, "The line of this fold is not printed, or is again",
      why_no_fold_lines, toggle_fold_lines, nullptr, fold_lines_label},
+    {ActionId::SeamOn, "Next seam", icon::kChevronRight, {'W', 0}, "Shows what is glued next in both views",
+     why_no_assembly, [](UiContext& c) { go_in_assembly(c, 1); }, nullptr, nullptr},
+    {ActionId::SeamBack, "Seam before", icon::kChevronLeft, {'W', kShiftBit}, "Shows what was glued before",
+     why_no_assembly, [](UiContext& c) { go_in_assembly(c, -1); }, nullptr, nullptr},
+    {ActionId::TickSeam, "Glued", icon::kDone, {'I', 0}, "Ticks this seam off and shows the next one, or takes the tick back",
+     why_no_assembly, tick_seam, nullptr, nullptr},
     {ActionId::TurnPieces, "Turn by a quarter", "", {'Q', 0}, "Turns the selected pieces clockwise on their pages",
      why_not_align, turn_chosen_by_a_quarter, nullptr, nullptr},
     {ActionId::AlignLeft, "Align left", "", {}, "Brings the left sides of the selected pieces in line", why_not_align,

@@ -18,7 +18,7 @@
 namespace netwright {
 namespace {
 
-constexpr std::array<const char*, 11> kTitles{"",
+constexpr std::array<const char*, 12> kTitles{"",
                                               "Open a model or project",
                                               "Export the net",
                                               "Keys and mouse",
@@ -28,7 +28,8 @@ constexpr std::array<const char*, 11> kTitles{"",
                                               "Save the changes?",
                                               "Recover unsaved work",
                                               "Preferences",
-                                              "Replace the model"};
+                                              "Replace the model",
+                                              "Print"};
 
 std::vector<std::string> readable_extensions() {
   std::vector<std::string> all{std::string(kProjectExtension)};
@@ -89,6 +90,7 @@ void Dialogs::begin(UiContext& context) {
     if (ask_desktop(context, {true, "Export the net", folder / name, {ui.export_extension}})) return;
     browser_.begin({FileBrowser::Mode::Save, folder, name, {ui.export_extension}});
   }
+  if (present_ == Dialog::Print) context.session.look_for_printers();
   if (present_ == Dialog::Save) begin_save(context);
   if (present_ == Dialog::Repair) {
     ui.error.clear();
@@ -276,6 +278,9 @@ void Dialogs::draw(UiContext& context) {
       break;
     case Dialog::Open:
       draw_open(context);
+      break;
+    case Dialog::Print:
+      draw_print(context);
       break;
     case Dialog::Replace:
       draw_replace(context);

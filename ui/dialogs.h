@@ -28,6 +28,7 @@ class Dialogs {
   void draw_formats(const UiState& ui) const;  // dialog_formats.cpp
   bool begin_replace(UiContext& context);      // dialog_replace.cpp; true when the desktop was asked
   void draw_replace(UiContext& context);
+  void draw_print(UiContext& context);  // dialog_print.cpp
   void choose_format(UiState& ui);
   void draw_export(UiContext& context);
   void draw_keys(UiContext& context);

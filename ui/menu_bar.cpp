@@ -64,6 +64,7 @@ void file_menu(UiContext& context) {
   entry(context, ActionId::Save);
   entry(context, ActionId::SaveAs);
   ImGui::Separator();
+  entry(context, ActionId::PrintPages);
   entry(context, ActionId::ExportPdf);
   const bool is_exporting = ImGui::BeginMenu("Export as");
   note_widget(context.ui, "menu/Export as");
@@ -124,6 +125,8 @@ void view_menu(UiContext& context) {
 void paper_menu(UiContext& context) {
   entry(context, ActionId::EditTabs);
   entry(context, ActionId::HideFolds);
+  ImGui::Separator();
+  for (const ActionId id : {ActionId::SeamOn, ActionId::SeamBack, ActionId::TickSeam}) entry(context, id);
   ImGui::Separator();
   entry(context, ActionId::ArrangePieces);
   entry(context, ActionId::TurnPieces);

@@ -147,7 +147,7 @@ void size_row(UiContext& c) {
   using Kind = PrintSize::Kind;
   const PrintSize size = c.session.project().size;
   int chosen = std::min(static_cast<int>(size.kind), 2);
-  const float width = row(c.ui, "Size") - c.ui.look.px(16);
+  const float width = ImGui::GetContentRegionAvail().x - c.ui.look.px(16);
   if (segments(c.ui, "paper/size", width, {"Fit page", "Height", "Other"}, chosen))
     begin_by(c, size, chosen == 2 ? Kind::FitSheets : static_cast<Kind>(chosen));
   if (size.kind == Kind::Height) height_row(c);

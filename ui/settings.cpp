@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kThemeNames{"system", "light", "dark"};
 constexpr std::array<std::string_view, 2> kUnitNames{"mm", "in"};
-constexpr std::array<std::string_view, kSections> kSectionNames{"model", "solve", "runs",    "tabs",
-                                                                "paper", "print", "history", "overlaps"};
+constexpr std::array<std::string_view, kSections> kSectionNames{
+    "model", "solve", "runs", "tabs", "paper", "print", "check", "assembly", "history", "overlaps"};
 constexpr std::array<std::string_view, kFirstHints> kHintNames{"views", "runs"};
 
 struct Flag {

@@ -39,6 +39,26 @@ std::string print_summary(const UiContext& c) {
   return sheet.is_grey ? "grey" : sheet.printed_side == PrintedSide::Both ? "both sides" : "";
 }
 
+/// How many things are wrong, the worst grade first.
+std::string check_summary(const UiContext& c) {
+  const auto judged = c.session.buildability();
+  const auto shown = c.session.shown();
+  if (judged == nullptr || shown == nullptr) return "";
+  std::int64_t n_warnings = 0;
+  std::int64_t n_troubles = 0;
+  for (const BuildLine& line : lines_of(*judged, shown->net)) {
+    n_warnings += line.grade == BuildLine::Grade::Warning ? 1 : 0;
+    n_troubles += line.grade == BuildLine::Grade::Trouble ? 1 : 0;
+  }
+  if (n_troubles > 0) return counted(n_troubles, "problem", "problems");
+  return n_warnings > 0 ? counted(n_warnings, "warning", "warnings") : "fine";
+}
+
+std::string assembly_summary(const UiContext& c) {
+  const std::size_t n = c.session.has_model() ? c.session.project().glued.size() : 0;
+  return n == 0 ? "" : grouped(static_cast<std::int64_t>(n)) + " glued";
+}
+
 std::string overlaps_summary(const UiContext& c) {
   const auto shown = c.session.shown();
   return shown == nullptr ? "" : grouped(static_cast<std::int64_t>(shown->overlaps.size()));
@@ -74,6 +94,8 @@ constexpr std::array<SectionLine, kSections> kSectionLines{
     SectionLine{Section::Tabs, "Tabs", tabs_summary, panel_tabs},
     SectionLine{Section::Paper, "Paper", paper_summary, panel_paper},
     SectionLine{Section::Print, "Print", print_summary, panel_print},
+    SectionLine{Section::Check, "Check", check_summary, panel_check},
+    SectionLine{Section::Assembly, "Assembly", assembly_summary, panel_assembly},
     SectionLine{Section::History, "History", history_summary, panel_history},
     SectionLine{Section::Overlaps, "Overlaps", overlaps_summary, panel_overlaps}};
 

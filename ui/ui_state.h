@@ -25,7 +25,20 @@ namespace netwright {
 class KeyFocus;
 class RunPictures;
 
-enum class Dialog { None, Open, Export, Keys, About, Repair, Save, Unsaved, Recover, Preferences, Replace };
+enum class Dialog {
+  None,
+  Open,
+  Export,
+  Keys,
+  About,
+  Repair,
+  Save,
+  Unsaved,
+  Recover,
+  Preferences,
+  Replace,
+  Print
+};
 
 /// How far the net is folded up in the model's view.
 struct Folding {
@@ -92,6 +105,14 @@ struct Tabbing {
   double width_mm = 0;  ///< while it is dragged
 };
 
+/// The gluing order of the net that it was worked out for.
+struct Assembly {
+  std::uint64_t version = 0;
+  bool is_known = false;
+  std::vector<EdgeId> order = {};
+  IdVector<EdgeId, int> numbers = {};  ///< as printed; 0 for cuts without
+};
+
 struct Toast {
   std::string text;
   bool is_good = true;
@@ -139,6 +160,8 @@ struct UiState {
   Editing editing;
   Arranging arranging;
   Tabbing tabbing;
+  Assembly assembly;
+  PrintJob printing;               ///< as the print dialog has it
   std::optional<SwingWish> swing;  ///< a join was made: the net that comes swings over
   OverlapList overlaps;
   std::optional<Overlap> shown_overlap;  ///< lit in both views; gone with the mesh

@@ -1,7 +1,9 @@
 // The edits. Each takes its Project by value and hands it back changed.
 #include "core/project/commands.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/project/carry_pins.h"
@@ -78,6 +80,7 @@ Project remake(Project project, const Recipe& recipe, std::shared_ptr<const Made
   project.run.reset();
   project.edits = {};
   project.placed = {};
+  project.glued.clear();
   return project;
 }
 
@@ -101,12 +104,16 @@ Project accept_tree(Project project, UnfoldTree tree, const RunSummary& run) {
   project.run = run;
   project.edits = {};
   project.placed = {};
+  project.glued.clear();
   return project;
 }
 
 Project edit_by_hand(Project project, const HandEdit& edit) {
   for (const EdgeId e : edit.cut) set_pin(project.edits, e, EdgePin::MustCut);
-  for (const EdgeId e : edit.joined) set_pin(project.edits, e, EdgePin::MustFold);
+  for (const EdgeId e : edit.joined) {
+    set_pin(project.edits, e, EdgePin::MustFold);
+    std::erase(project.glued, e);
+  }
   UnfoldTree tree = edit.tree;
   if (project.pins.root.is_valid()) tree.reroot(project.dual->mesh(), project.pins.root);
   if (!project.placed.is_automatic())
@@ -149,6 +156,12 @@ Project set_tabs(Project project, const TabSettings& tabs) {
 
 Project set_sheet(Project project, const SheetSettings& sheet) {
   project.sheet = sheet;
+  return project;
+}
+
+Project set_glued(Project project, std::vector<EdgeId> glued) {
+  std::ranges::sort(glued);
+  project.glued = std::move(glued);
   return project;
 }
 

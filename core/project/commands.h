@@ -37,6 +37,7 @@ Project set_paper(Project project, const PaperSetup& paper);
 Project set_size(Project project, const PrintSize& size);
 Project set_tabs(Project project, const TabSettings& tabs);
 Project set_sheet(Project project, const SheetSettings& sheet);
+Project set_glued(Project project, std::vector<EdgeId> glued);
 Project set_exports(Project project, const ExportSettings& exports);
 
 /// The pieces lie where the user wants them; an empty layout arranges them by themselves again. They stay so

@@ -71,12 +71,14 @@ void derive_sheets(Derived& derived, const Derived* before) {
     derived.pages = before->pages;
     derived.misplaced = before->misplaced;
     derived.sheets = before->sheets;
+    derived.judged = before->judged;
     derived.fault = before->fault;
     return;
   }
   try {
     const Net& net = derived.shown->net;
     derived.pages = std::make_shared<const PageLayout>(pages_of(project, net));
+    derived.judged = std::make_shared<const Buildability>(judge(net, *derived.pages));
     if (!project.placed.is_automatic()) derived.misplaced = find_misplaced(net, *derived.pages);
     if (derived.is_sound && derived.misplaced.is_nothing())
       derived.sheets = std::make_shared<const std::vector<Sheet>>(

@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/project/project.h"
 #include "core/project/shown_net.h"
+#include "core/sheet/buildability.h"
 #include "core/sheet/pages.h"
 #include "core/sheet/sheet.h"
 
@@ -23,6 +24,7 @@ struct Derived {
   Misplaced misplaced;  ///< on these pages, where pieces were put by hand
   /// Null unless the net is sound and nothing is misplaced.
   std::shared_ptr<const std::vector<Sheet>> sheets;
+  std::shared_ptr<const Buildability> judged;  ///< null without pages
   std::string fault;  ///< why there are no sheets (margins that leave no room …), one sentence; else empty
 };
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/paper.h"
 #include "core/mesh/dual_graph.h"
@@ -47,6 +48,7 @@ struct Project {
   TabSettings tabs;     ///< edits are of the made mesh
   SheetSettings sheet;  ///< folds named in it are of the made mesh
   ExportSettings exports;
+  std::vector<EdgeId> glued;  ///< cuts of the tree that are glued already, sorted
   HandLayout placed;  ///< where the user put the pieces of the tree on this paper; empty without a tree
   bool operator==(const Project&) const =
       default;  ///< shared parts count as equal when they are the same object

@@ -248,6 +248,7 @@ Json project_json(const Project& project, const std::filesystem::path& belongs_t
   json.set("size", size_json(project.size, mesh));
   if (!project.placed.is_automatic()) json.set("placed", placed_json(project.placed));
   json.set("exports", exports_json(project.exports));
+  if (!project.glued.empty()) json.set("glued", edges_json(project.glued, mesh));
   json.set("tabs", tabs_json(project.tabs, mesh));
   json.set("sheet",
            sheet_json(project.sheet, mesh, [&](const auto& image) { return pictures.number_of(image); }));

@@ -58,6 +58,8 @@ class Reader {
     project.size = read_size(fields.object("size"), project.dual->mesh());
     project.placed = read_placed(project, fields.object("placed"));
     project.tabs = read_tabs(fields.object("tabs"), file_, project.dual->mesh());
+    project.glued = read_edges(fields, "glued", project.dual->mesh());
+    if (!project.glued.empty() && !project.tree) fields.refuse("glued", "is of no net");
     project.exports = read_exports(fields.object("exports"), file_);
     project.sheet = read_sheet(fields.object("sheet"), file_, project.dual->mesh(), pictures_);
     fields.finish();

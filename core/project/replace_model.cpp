@@ -128,6 +128,7 @@ class Replacer {
     next.run.reset();
     next.pins = next.edits = {};
     next.placed = {};
+    next.glued.clear();
     next.size = without_edge(old_.dual->mesh(), old_.size);
     if (make(std::move(recipe))) carry();
     return std::move(result_);

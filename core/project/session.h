@@ -13,12 +13,14 @@
 #include "core/mesh/mesh_report.h"
 #include "core/mesh/read.h"
 #include "core/project/autosave.h"
+#include "core/project/print_job.h"
 #include "core/project/project.h"
 #include "core/project/real_size.h"
 #include "core/project/replace_model.h"
 #include "core/project/run_figures.h"
 #include "core/project/run_list.h"
 #include "core/project/shown_net.h"
+#include "core/sheet/buildability.h"
 #include "core/sheet/cutter_package.h"
 #include "core/sheet/pages.h"
 #include "core/sheet/sheet.h"
@@ -211,6 +213,8 @@ class Session {
   /// `label` names the undo step: "tab width", "line styles" …
   void set_tabs(const TabSettings& tabs, const std::string& label);
   void set_sheet(const SheetSettings& sheet, const std::string& label);
+  /// Which seams are glued already; one undo step.
+  void set_glued(std::vector<EdgeId> glued, const std::string& label);
   void set_exports(const ExportSettings& exports, const std::string& label);
   /// How large the model is by its file, as long as that can hardly be meant and the user has not said what
   /// is: asked once for each model that is opened. Answered by set_size() or leave_size().
@@ -243,11 +247,20 @@ class Session {
   /// What of pages() cannot be printed as it lies; null when nothing is wrong or there are no pages.
   [[nodiscard]] const Misplaced* misplaced() const;
 
+  /// How well the net of pages() can be built; null without pages.
+  [[nodiscard]] std::shared_ptr<const Buildability> buildability() const;
+
   // Printing. Sheets exist only for a proved net on which nothing is misplaced; null otherwise.
   [[nodiscard]] std::shared_ptr<const std::vector<Sheet>> sheets() const;
   /// How the net of shown() lies on its pages, be it proved or edited by hand; null while there are none or
   /// another net is shown.
   [[nodiscard]] std::shared_ptr<const PageLayout> pages() const;
+  /// Sends sheets to a printer, as a chore; success or failure arrives as a message.
+  void print(const PrintJob& job);
+  /// Asks the system for its printers, as a chore.
+  void look_for_printers();
+  /// Null until they are known; empty where the system has none or cannot print.
+  [[nodiscard]] const std::vector<std::string>* printers() const;
   /// Writes by the path's extension on the chores lane; success or failure arrives as a message.
   void export_to(const std::filesystem::path& path);
   /// Writes all that a cutting machine needs into a folder, likewise. Pages whose margins are too narrow for

@@ -116,6 +116,7 @@ struct Session::Impl {
   bool take_derived();
   bool take_exports();
   bool take_split();
+  bool take_printers();
   bool take_run();
   bool show_replay();
   void watch_clock();
@@ -218,6 +219,8 @@ struct Session::Impl {
   std::shared_ptr<Chore<Derived>> deriving;
   std::vector<std::shared_ptr<Chore<Message>>> exports;
   std::shared_ptr<Chore<Split>> splitting;
+  std::shared_ptr<Chore<std::vector<std::string>>> searching_printers;
+  std::shared_ptr<const std::vector<std::string>> printers;
 
   Keeper keeper{worker, bell};
   std::filesystem::path opening_file;        ///< of the project that is being read

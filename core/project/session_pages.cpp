@@ -28,6 +28,15 @@ void Session::set_sheet(const SheetSettings& sheet, const std::string& label) {
   if (sheet != project().sheet) impl_->edit(label, netwright::set_sheet(project(), sheet));
 }
 
+void Session::set_glued(std::vector<EdgeId> glued, const std::string& label) {
+  Project next = netwright::set_glued(project(), std::move(glued));
+  if (next.glued != project().glued) impl_->edit(label, std::move(next));
+}
+
+std::shared_ptr<const Buildability> Session::buildability() const {
+  return pages() ? impl_->derived->judged : nullptr;
+}
+
 void Session::set_exports(const ExportSettings& exports, const std::string& label) {
   if (exports != project().exports) impl_->edit(label, netwright::set_exports(project(), exports));
 }

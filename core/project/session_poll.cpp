@@ -359,6 +359,7 @@ bool Session::Impl::poll() {
   has_changed |= take_derived();
   has_changed |= take_exports();
   has_changed |= take_split();
+  has_changed |= take_printers();
   has_changed |= take_leftovers();
   has_changed |= watch_files();
   has_changed |= take_view();
