@@ -614,7 +614,8 @@ TEST(ModelPanel, MergingUnfoldsAgainWhereThereWasANet) {
   EXPECT_EQ(gui.session().undo_label(), "Undo merge faces");
   gui.key('Z', kControl);
   EXPECT_EQ(n_faces(gui), 54U);
-  EXPECT_NE(gui.session().shown(), nullptr) << "the net of the small faces is back";
+  EXPECT_TRUE(gui.until([&] { return gui.session().shown() != nullptr; }))
+      << "the net of the small faces is back";
 }
 
 }  // namespace

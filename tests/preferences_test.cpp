@@ -179,7 +179,7 @@ TEST(Keyboard, TabReachesEveryControlOfThePanels) {
   for (bool& is_open : gui.ui().settings.open_sections) is_open = true;
   gui.frames(3);
   std::set<std::string> reached;
-  for (int i = 0; i < 70; ++i) {
+  for (int i = 0; i < 200; ++i) {
     tab(gui);
     reached.insert(gui.ui().focus->name());
   }
