@@ -27,7 +27,8 @@ std::string compared(const Net& net, const TabSettings& tabs, const ExportSettin
   settings.labels.edge_numbers = false;
   for (const char* const name : {"net.pdf", "net.svg", "net.dxf", "net.fold"})
     write_drawing(folder / name, net, layout, {}, settings, exports);
-  return output_of({"/usr/bin/python3", NETWRIGHT_TESTS "/compare_exports.py", (folder / "net").string(),
+  const std::string script = NETWRIGHT_TESTS "/compare_exports.py";
+  return output_of({"/usr/bin/python3", script, (folder / "net").string(),
                     std::to_string(layout.frame.width_mm), std::to_string(layout.frame.height_mm)});
 }
 

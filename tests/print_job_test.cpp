@@ -34,7 +34,7 @@ class PrintingSystem : public ::testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
   fs::path script(const std::string& name, const std::string& lines) {
-    const fs::path path = folder_ / name;
+    fs::path path = folder_ / name;
     std::ofstream(path) << "#!/bin/sh\n" << lines;
     fs::permissions(path, fs::perms::owner_all);
     return path;
