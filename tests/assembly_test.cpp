@@ -28,7 +28,10 @@ TEST(CheckPanel, LeadsToThePlaceOfEachLine) {
   gui.click("check/0");
   ASSERT_EQ(gui.ui().selected_edges.size(), 1U);
   EXPECT_EQ(gui.ui().selected_edges.front(), judged->smallest_edge);
-  gui.click("check/2");
+  const auto lines = lines_of(*judged, gui.session().shown()->net);
+  const auto neck =
+      std::ranges::find_if(lines, [](const BuildLine& line) { return line.text.starts_with("Thinnest"); });
+  gui.click("check/" + std::to_string(neck - lines.begin()));
   std::vector<FaceId> faces = judged->neck.faces;
   std::ranges::sort(faces);
   EXPECT_EQ(gui.ui().selected_faces, faces);

@@ -115,7 +115,8 @@ TEST(LinesOf, WarnsUnderFiveMillimetresAndIsAlarmedUnderThree) {
   EXPECT_EQ(grade(10), BuildLine::Grade::Warning);
   EXPECT_EQ(grade(5), BuildLine::Grade::Trouble);
   const auto lines = lines_of(judge(net, at_scale(net, 10)), net);
-  EXPECT_EQ(lines.front().text, "Smallest edge 4.0 mm, 2 under 5.0 mm");
+  EXPECT_EQ(lines[0].text, "Smallest edge 4.0 mm");
+  EXPECT_EQ(lines[1].text, "2 edges under 5.0 mm");
   ASSERT_EQ(lines.front().edges.size(), 1U);
 }
 

@@ -38,7 +38,9 @@ bool until_made(Gui& gui) {
 bool until_rest(Gui& gui) {
   return gui.until([&] {
     if (gui.session().state() == RunState::Replaying) gui.session().skip_replay();
-    return gui.session().state() == RunState::Idle && !gui.session().is_making();
+    const bool has_net = !gui.session().has_model() || gui.session().project().tree == nullptr ||
+                         gui.session().shown() != nullptr;
+    return gui.session().state() == RunState::Idle && !gui.session().is_making() && has_net;
   });
 }
 

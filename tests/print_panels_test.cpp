@@ -64,6 +64,26 @@ TEST(TabsPanel, SetsKindAndWidthAndCountsWhatCame) {
   EXPECT_EQ(gui.session().project().tabs.width_mm, 7);
 }
 
+TEST(TabsPanel, MakesRoomWhereCutsHaveNoTab) {
+  Opened gui;
+  gui.session().set_size({PrintSize::Kind::Height, 200});
+  gui.settle();
+  gui.open(Section::Tabs);
+  const std::size_t before = gui.session().pages()->tabs.missing.size();
+  ASSERT_GT(before, 0U);
+  gui.click("tabs/make-room");
+  EXPECT_TRUE(gui.session().project().tabs.in_search);
+  ASSERT_TRUE(gui.until([&] {
+    if (gui.session().state() == RunState::Replaying) gui.session().skip_replay();
+    return gui.session().state() == RunState::Idle;
+  }));
+  gui.settle();
+  EXPECT_LT(gui.session().pages()->tabs.missing.size(), before);
+  EXPECT_TRUE(gui.session().shown()->is_proved);
+  gui.click("tabs/in-search");
+  EXPECT_FALSE(gui.session().project().tabs.in_search);
+}
+
 TEST(TabsPanel, SaysOfSelectedEdgesWhatHoldsForThemAlone) {
   Opened gui;
   gui.open(Section::Tabs);

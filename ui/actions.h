@@ -43,6 +43,7 @@ enum class ActionId {
   Stop,
   NewSeed,
   UnfoldFromHere,
+  MakeRoomForTabs,
   PinRoot,
   MustFold,
   MustCut,

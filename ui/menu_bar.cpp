@@ -196,7 +196,7 @@ float draw_menu_bar(UiContext& context) {
     plain_menu(context, {ActionId::Unfold, ActionId::UnfoldFromHere, ActionId::Step, ActionId::Stop,
                          ActionId::NewSeed, ActionId::SkipReplay});
     ImGui::Separator();
-    plain_menu(context, {ActionId::JoinAndCut});
+    plain_menu(context, {ActionId::JoinAndCut, ActionId::MakeRoomForTabs});
     ImGui::Separator();
     plain_menu(context, {ActionId::PinRoot, ActionId::MustFold, ActionId::MustCut, ActionId::KeepTogether,
                          ActionId::ClearPins, ActionId::ClearAllPins});

@@ -140,9 +140,23 @@ void missing_list(UiContext& c, const GlueTabs& tabs) {
   ImGui::PopStyleVar();
 }
 
+/// The cure for cuts without a tab.
+void room_rows(UiContext& c, const GlueTabs& missing) {
+  TabSettings tabs = c.session.project().tabs;
+  if (!missing.missing.empty() &&
+      button(c.ui, {"tabs/make-room", "Make room for tabs", "",
+                    "Searches on from this net until every cut has room for a tab", ButtonKind::Outlined}))
+    make_room_for_tabs(c);
+  if (tabs.in_search &&
+      checkbox(c.ui, "tabs/in-search", "In every search", tabs.in_search,
+               "Every search goes on until all cuts have room for a tab; that takes a little longer"))
+    c.session.set_tabs(tabs, "room for tabs");
+}
+
 void selected_rows(UiContext& c) {
   const std::vector<EdgeId> edges = tab_edges(c);
   if (edges.empty()) return;
+  ImGui::Spacing();
   TabEdit common = tab_wish(c.session.project().tabs, edges.front());
   text_muted(c.ui, edges.size() == 1 ? "Edge " + grouped(edges.front().value + 1)
                                      : counted(static_cast<std::int64_t>(edges.size()), "edge", "edges"));
@@ -186,6 +200,7 @@ void panel_tabs(UiContext& context) {
   if (const auto pages = context.session.pages()) {
     text_muted(context.ui, tabs_text(pages->tabs) + ".");
     missing_list(context, pages->tabs);
+    room_rows(context, pages->tabs);
   }
   selected_rows(context);
 }

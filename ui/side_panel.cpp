@@ -30,7 +30,10 @@ std::string tabs_summary(const UiContext& c) {
   const TabSettings& tabs = c.session.project().tabs;
   if (!tabs.is_on) return "none";
   const auto pages = c.session.pages();
-  return pages == nullptr ? length_text(tabs.width_mm, c.ui.settings.unit) : tabs_text(pages->tabs);
+  if (pages == nullptr) return length_text(tabs.width_mm, c.ui.settings.unit);
+  const std::string made = grouped(static_cast<std::int64_t>(pages->tabs.tabs.size()));
+  const auto missing = static_cast<std::int64_t>(pages->tabs.missing.size());
+  return missing == 0 ? made : made + ", " + grouped(missing) + " missing";
 }
 
 std::string print_summary(const UiContext& c) {

@@ -210,6 +210,21 @@ void reset_tabs(UiContext& c, const std::vector<EdgeId>& edges) {
   });
 }
 
+void make_room_for_tabs(UiContext& c) {
+  TabSettings tabs = c.session.project().tabs;
+  tabs.in_search = true;
+  c.session.set_tabs(tabs, "room for tabs");
+  c.session.unfold_from_here();
+}
+
+std::string why_no_room_for_tabs(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  if (!c.session.project().tabs.is_on) return "Switch glue tabs on first (section Tabs).";
+  const auto pages = c.session.pages();
+  if (pages == nullptr) return "Unfold the model first (Space).";
+  return pages->tabs.missing.empty() ? "Every cut has its tab." : "";
+}
+
 std::string tabs_text(const GlueTabs& tabs) {
   const auto n_missing = static_cast<std::int64_t>(tabs.missing.size());
   const std::string text = counted(static_cast<std::int64_t>(tabs.tabs.size()), "tab", "tabs");

@@ -41,6 +41,9 @@ void show_edge(UiContext& context, EdgeId edge);
 
 // Actions.
 void toggle_tab_tool(UiContext& context);
+/// Searches on from the net as it is until every cut has room for a tab, and so from then on.
+void make_room_for_tabs(UiContext& context);
+[[nodiscard]] std::string why_no_room_for_tabs(const UiContext& context);
 /// The lines of the chosen folds are not printed, or are again.
 void toggle_fold_lines(UiContext& context);
 [[nodiscard]] std::string fold_lines_label(const UiContext& context);

@@ -93,12 +93,13 @@ void derive_sheets(Derived& derived, const Derived* before) {
 }  // namespace
 
 std::shared_ptr<const Derived> derive(const Project& project, const std::shared_ptr<const Derived>& before,
-                                      std::uint64_t version, Progress& progress) {
+                                      std::uint64_t version, Progress& progress, const NetHook& on_net) {
   auto derived = std::make_shared<Derived>();
   derived->source = project;
   if (progress.is_cancelled()) return derived;
   derived->shown = derive_net(project, before.get(), version);
   if (progress.is_cancelled()) return derived;
+  if (on_net && derived->shown) on_net(derived->shown);
   const bool is_same = before && before->shown == derived->shown;
   if (derived->shown) derived->is_sound = is_same ? before->is_sound : is_sound(project, *derived->shown);
   const bool has_pages = derived->shown && (derived->shown->is_proved || !project.edits.are_free());

@@ -2,6 +2,7 @@
 // and one order, and again only where something it depends on has changed.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -28,11 +29,14 @@ struct Derived {
   std::string fault;  ///< why there are no sheets (margins that leave no room …), one sentence; else empty
 };
 
+/// Called with the net as soon as it is made, before its pages are.
+using NetHook = std::function<void(std::shared_ptr<const ShownNet>)>;
+
 /// `before` may be null; parts of it whose sources are unchanged are shared; a net that is made anew gets
 /// `version`. Stops early with what there is
 /// when `progress` is cancelled. Takes milliseconds for hundreds of faces: a chore for the worker.
 std::shared_ptr<const Derived> derive(const Project& project, const std::shared_ptr<const Derived>& before,
-                                      std::uint64_t version, Progress& progress);
+                                      std::uint64_t version, Progress& progress, const NetHook& on_net = {});
 
 /// What the title block of a project's sheets says; `is_sound` as in Derived.
 SheetInfo sheet_info(const Project& project, bool is_sound);

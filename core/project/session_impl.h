@@ -113,6 +113,7 @@ struct Session::Impl {
   bool take_made();
   bool take_measured();
   void take_tried(const Made& made);
+  void settle_on(std::shared_ptr<const ShownNet> net);
   bool take_derived();
   bool take_exports();
   bool take_split();
@@ -216,7 +217,13 @@ struct Session::Impl {
   std::size_t drag_step = 0;     ///< where in the history the drag's one step is
   bool has_net_in_step =
       false;  ///< a net was found meanwhile; when the hand lets go it gets its own undo step
-  std::shared_ptr<Chore<Derived>> deriving;
+  /// The net is there before its pages are.
+  struct Deriving : Chore<Derived> {
+    explicit Deriving(const std::shared_ptr<const Bell>& rung)
+        : Chore<Derived>(rung), net([rung] { rung->ring(); }) {}
+    Mailbox<ShownNet> net;
+  };
+  std::shared_ptr<Deriving> deriving;
   std::vector<std::shared_ptr<Chore<Message>>> exports;
   std::shared_ptr<Chore<Split>> splitting;
   std::shared_ptr<Chore<std::vector<std::string>>> searching_printers;

@@ -80,13 +80,15 @@ void Session::Impl::derive_again() {
     derived = nullptr;
     return;
   }
-  deriving = std::make_shared<Chore<Derived>>(bell);
+  deriving = std::make_shared<Deriving>(bell);
   deriving->progress = worker.submit(
       Worker::Lane::Chores,
       [chore = deriving, source = project(), before = derived, version = ++n_versions](Progress& progress) {
         std::shared_ptr<const Derived> made;
         try {
-          made = derive(source, before, version, progress);
+          made = derive(source, before, version, progress, [&](std::shared_ptr<const ShownNet> net) {
+            if (!progress.is_cancelled()) chore->net.post(std::move(net));
+          });
         } catch (...) {
           auto failed = std::make_shared<Derived>();
           failed->fault = sentence_for_current_exception("Drawing the sheets");
@@ -96,9 +98,20 @@ void Session::Impl::derive_again() {
       });
 }
 
+void Session::Impl::settle_on(std::shared_ptr<const ShownNet> net) {
+  const bool is_viewed = viewing && viewing->picture && viewing->picture == settled;
+  if (!is_unfinished) settled = std::move(net);
+  if (is_viewed) viewing->picture = settled;
+}
+
 bool Session::Impl::take_derived() {
   const std::shared_ptr<const Derived> made = deriving ? deriving->result.take() : nullptr;
-  if (!made) return false;
+  if (!made) {
+    std::shared_ptr<const ShownNet> net = deriving ? deriving->net.take() : nullptr;
+    if (!net) return false;
+    settle_on(std::move(net));
+    return true;
+  }
   deriving = nullptr;
   if (!made->fault.empty() && !(derived && derived->fault == made->fault))
     say(Message::Kind::Error, made->fault);
@@ -116,9 +129,7 @@ bool Session::Impl::take_derived() {
     }());
     history.amend(std::move(proved));
   }
-  const bool is_viewed = viewing && viewing->picture && viewing->picture == settled;
-  if (!is_unfinished && derived->shown) settled = derived->shown;
-  if (is_viewed) viewing->picture = settled;
+  if (derived->shown) settle_on(derived->shown);
   return true;
 }
 

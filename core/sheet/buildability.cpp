@@ -223,11 +223,13 @@ Buildability judge(const Net& net, const PageLayout& layout) {
 std::vector<BuildLine> lines_of(const Buildability& judged, const Net& net) {
   using Grade = BuildLine::Grade;
   std::vector<BuildLine> lines;
-  std::string edge = "Smallest edge " + mm_text(judged.smallest_edge_mm);
+  const Grade of_edge = grade_of(judged.smallest_edge_mm, kSmallEdge, kTinyEdge);
+  lines.push_back({of_edge, "Smallest edge " + mm_text(judged.smallest_edge_mm), {judged.smallest_edge}, {}});
   if (judged.n_small_edges > 1)
-    edge += ", " + grouped(judged.n_small_edges) + " under " + mm_text(kSmallEdge);
-  lines.push_back(
-      {grade_of(judged.smallest_edge_mm, kSmallEdge, kTinyEdge), edge, {judged.smallest_edge}, {}});
+    lines.push_back({Grade::Warning,
+                     grouped(judged.n_small_edges) + " edges under " + mm_text(kSmallEdge),
+                     {judged.smallest_edge},
+                     {}});
   if (judged.sharpest_corner.is_valid()) {
     char degrees[32];
     std::snprintf(degrees, sizeof degrees, "%.0f°", judged.sharpest_corner_rad * 180 / std::numbers::pi);
