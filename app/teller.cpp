@@ -136,6 +136,7 @@ std::string told_of(const Session& session, const UiState& ui, const Workspace& 
   if (!session.has_model() || scene.dual() != session.project().dual) return text;
   text += line(
       {"step", std::to_string(session.history_position()), std::to_string(session.history().size() - 1)});
+  text += line({"laying-out", session.is_laying_out() ? "yes" : "no"});
   text += told_pointer(ui, scene.dual()->mesh());
   if (ui.dialog != Dialog::None) return text;
   const auto& shown = scene.shown();

@@ -14,6 +14,7 @@ namespace netwright {
 /// and steps from 1 on as people count:
 ///   title TEXT
 ///   step POSITION COUNT             of the history, both 0 where nothing was changed
+///   laying-out yes|no               pages are on their way, and what is drawn may move
 ///   widget NAME X Y WIDTH HEIGHT on|off
 ///   hovered-face N, hovered-edge N  what the pointer means
 ///   model-face N X Y, net-face N X Y

@@ -139,6 +139,7 @@ class Editor:
             self.xdotool("mousemove", x + 1, y, "mousemove", x, y)
             time.sleep(0.2)
             is_still = any(line[:3] == [chosen["number"], str(x), str(y)] for line in self.all(f"{view}-{kind}"))
+            is_still = is_still and self.all("laying-out") == [["no"]]
             return chosen if is_still and [chosen["number"]] in self.all("hovered-" + kind) else None
 
         return await_that(f"the wanted {kind} of the {view} is under the pointer", meant)

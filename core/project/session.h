@@ -114,6 +114,8 @@ class Session {
   /// A mesh is being made, for pending() or by a new recipe; chore() tells how far it is, cancel_opening()
   /// gives it up (then the repairs tried before are wanted again).
   [[nodiscard]] bool is_making() const;
+  /// Pages and sheets of the present net are being made.
+  [[nodiscard]] bool is_laying_out() const;
   /// The recipe as it will be when the chore in hand is done: what switches and sliders should show.
   [[nodiscard]] Recipe wanted_recipe() const;
   void set_recipe(const Recipe& recipe, const std::string& label);  ///< label as in "Undo <label>"

@@ -12,6 +12,8 @@ std::shared_ptr<const PageLayout> Session::pages() const {
   return has_result && impl_->derived->shown == shown() ? impl_->derived->pages : nullptr;
 }
 
+bool Session::is_laying_out() const { return impl_->deriving != nullptr; }
+
 const Misplaced* Session::misplaced() const {
   return pages() && !impl_->derived->misplaced.is_nothing() ? &impl_->derived->misplaced : nullptr;
 }

@@ -1,8 +1,11 @@
-// Strips are rectangles; each lies or stands, whichever finds a spot.
+// Strips are rectangles. They lie together in rows; where there is no room for all, half of them try, and so
+// on down to single ones, which may stand upright.
 #include "core/sheet/loose_strips.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "core/sheet/labels.h"
@@ -15,6 +18,8 @@ constexpr double kShortestCut = 3;
 constexpr double kOffEnds = 0.5;  // a strip ends this much before its cut does
 constexpr double kHalfWidth = 5;
 constexpr double kNumberShare = 0.6;  // of the half's width
+constexpr double kGap = 2;            // between strips
+constexpr double kBlockShape = 1.2;   // a block of strips is a little wider than high
 constexpr double kRoomiest = 1.4;     // a number wider than the strip is long is left out
 
 void draw_number(Sheet& sheet, const Box2& half, bool is_upright, const LooseStrip& strip, const Font& font) {
@@ -51,6 +56,32 @@ void draw_strip(Sheet& sheet, const Box2& box, bool is_upright, const LooseStrip
   }
 }
 
+/// Strips in rows, one beside the other.
+struct Block {
+  std::vector<glm::dvec2> corners;  ///< of each strip, from the block's upper left one
+  glm::dvec2 size{0, 0};
+};
+
+Block block_of(std::span<const LooseStrip> strips) {
+  double area = 0;
+  for (const LooseStrip& strip : strips) area += (strip.length_mm + kGap) * (2 * strip.width_mm + kGap);
+  const double width = std::max(strips.front().length_mm, kBlockShape * std::sqrt(area));
+  Block block;
+  glm::dvec2 at(0, 0);
+  double row_height = 0;
+  for (const LooseStrip& strip : strips) {
+    if (at.x > 0 && at.x + strip.length_mm > width) {
+      at = {0, at.y + row_height + kGap};
+      row_height = 0;
+    }
+    block.corners.push_back(at);
+    row_height = std::max(row_height, 2 * strip.width_mm);
+    block.size = glm::max(block.size, at + glm::dvec2(strip.length_mm, 2 * strip.width_mm));
+    at.x += strip.length_mm + kGap;
+  }
+  return block;
+}
+
 }  // namespace
 
 std::vector<LooseStrip> loose_strips(const Net& net, const PageLayout& layout, const SheetSettings& settings,
@@ -74,18 +105,31 @@ std::vector<LooseStrip> loose_strips(const Net& net, const PageLayout& layout, c
 void draw_loose_strips(Sheet& sheet, FreeSpots& spots, const LineStyles& styles, const Font& font,
                        std::vector<LooseStrip>& strips) {
   std::vector<LooseStrip> left;
-  for (const LooseStrip& strip : strips) {
-    const glm::dvec2 lying(strip.length_mm, 2 * strip.width_mm);
-    bool is_upright = false;
-    std::optional<Box2> box = spots.take(lying);
-    if (!box) {
-      is_upright = true;
-      box = spots.take({lying.y, lying.x});
-    }
-    if (box) {
-      draw_strip(sheet, *box, is_upright, strip, styles, font);
+  std::size_t begin = 0;
+  std::size_t count = strips.size();
+  while (begin < strips.size()) {
+    const std::span<const LooseStrip> together = std::span(strips).subspan(begin, count);
+    const Block block = block_of(together);
+    if (const std::optional<Box2> box = spots.take(block.size)) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec2 low = box->min + block.corners[i];
+        const glm::dvec2 size(together[i].length_mm, 2 * together[i].width_mm);
+        draw_strip(sheet, {low, low + size}, false, together[i], styles, font);
+      }
+      begin += count;
+      count = strips.size() - begin;
+    } else if (count > 1) {
+      count /= 2;
     } else {
-      left.push_back(strip);
+      const LooseStrip& strip = together.front();
+      const std::optional<Box2> upright = spots.take({2 * strip.width_mm, strip.length_mm});
+      if (upright) {
+        draw_strip(sheet, *upright, true, strip, styles, font);
+      } else {
+        left.push_back(strip);
+      }
+      begin += 1;
+      count = std::min<std::size_t>(1, strips.size() - begin);
     }
   }
   strips = std::move(left);
