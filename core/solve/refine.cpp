@@ -95,7 +95,7 @@ class Refiner {
   }
 
   void apply(int removed, int inserted) {
-    state_.apply(exchange_of_fold(state_, child_of(removed), removed, inserted));
+    state_.apply(state_.exchange(child_of(removed), removed, inserted));
     ++n_applies_;
   }
 
@@ -113,7 +113,7 @@ class Refiner {
       const auto i = static_cast<std::size_t>(random_.below(static_cast<int>(swaps_.size())));
       const Swap swap = std::exchange(swaps_[i], swaps_.back());
       swaps_.pop_back();
-      const Exchange exchange = exchange_of_fold(state_, child_of(swap.removed), swap.removed, swap.inserted);
+      const Exchange exchange = state_.exchange(child_of(swap.removed), swap.removed, swap.inserted);
       if (state_.count_after(exchange, 1) > 0) continue;
       apply(swap.removed, swap.inserted);
       Judgement judgement = judge_(state_);
@@ -205,22 +205,6 @@ class Refiner {
 };
 
 }  // namespace
-
-Exchange exchange_of_fold(const SearchState& state, int child, int removed, int inserted) {
-  const SearchModel& m = state.model();
-  const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const int face = m.face_of[at(inserted)];
-  const int twin = m.twin[at(inserted)];
-  const Rigid2 there = state.placement(m.face_of[at(twin)]) * m.unroll[at(twin)];
-  Exchange exchange;
-  exchange.first = state.position(child);
-  exchange.last = state.end(child);
-  exchange.motion = state.in_subtree(face, child) ? there * state.placement(face).inverse()
-                                                  : state.placement(face) * there.inverse();
-  exchange.removed = removed;
-  exchange.inserted = inserted;
-  return exchange;
-}
 
 RefineResult refine(SearchState& state, const NetJudge& judge, int most_looks, Random& random,
                     const Progress* progress) {

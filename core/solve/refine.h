@@ -19,9 +19,6 @@ struct Judgement {
 };
 using NetJudge = std::function<Judgement(const SearchState&)>;
 
-/// Makes an exchange of the fold between a child and its parent for the cut at `inserted`.
-Exchange exchange_of_fold(const SearchState& state, int child, int removed, int inserted);
-
 struct RefineResult {
   double cost_before = 0;
   double cost_after = 0;

@@ -227,6 +227,21 @@ void SearchState::visit_meetings(const Exchange& exchange, int killer, Visit&& v
   }
 }
 
+Exchange SearchState::exchange(int child, int removed, int inserted) const {
+  const SearchModel& m = *model_;
+  const int face = m.face_of[at(inserted)];
+  const int twin = m.twin[at(inserted)];
+  const Rigid2 there = placement_[at(m.face_of[at(twin)])] * m.unroll[at(twin)];
+  Exchange exchange;
+  exchange.first = position(child);
+  exchange.last = end(child);
+  exchange.motion =
+      in_subtree(face, child) ? there * placement(face).inverse() : placement(face) * there.inverse();
+  exchange.removed = removed;
+  exchange.inserted = inserted;
+  return exchange;
+}
+
 int SearchState::count_after(const Exchange& exchange, int limit) {
   int count = 0;
   int& killer = killers_[at(exchange.inserted)];

@@ -63,6 +63,11 @@ class SearchState {
   /// The folds from one face to another, in order.
   void find_path(int from, int to, std::vector<PathStep>& path) const;
 
+  /// The exchange of the fold between a child and its parent (`removed`, on either side of it) for the cut at
+  /// `inserted` (on the same side). It is told as a motion of the child's subtree; when the re-attached face
+  /// is not in that, the rest moves, which is the same as moving the subtree by the inverse.
+  [[nodiscard]] Exchange exchange(int child, int removed, int inserted) const;
+
   /// Overlaps between the moved side and the rest after the exchange's motion; stops counting at `limit`.
   [[nodiscard]] int count_after(const Exchange& exchange, int limit);
 

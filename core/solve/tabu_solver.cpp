@@ -216,24 +216,6 @@ void TabuSolver::try_across(int face, const PathStep& step, int crossing, int re
       try_reattach(h, step, crossing, removed);
 }
 
-// Re-attaches the face of `halfedge` to the face beyond it. The exchange is told as a motion of the fold's
-// subtree; when the re-attached face is not in that, the rest moves, which is the same as moving the subtree
-// by the inverse.
-Exchange TabuSolver::exchange_for(int halfedge, const PathStep& step, int removed) const {
-  const SearchModel& m = *model_;
-  const int face = m.face_of[at(halfedge)];
-  const int twin = m.twin[at(halfedge)];
-  const Rigid2 there = state_.placement(m.face_of[at(twin)]) * m.unroll[at(twin)];
-  Exchange exchange;
-  exchange.first = state_.position(step.child);
-  exchange.last = state_.end(step.child);
-  exchange.motion = state_.in_subtree(face, step.child) ? there * state_.placement(face).inverse()
-                                                        : state_.placement(face) * there.inverse();
-  exchange.removed = removed;
-  exchange.inserted = halfedge;
-  return exchange;
-}
-
 void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, int removed) {
   if (times_tabu_[at(halfedge)] > 0) {
     climb_.saw_tabu = true;
@@ -242,7 +224,7 @@ void TabuSolver::try_reattach(int halfedge, const PathStep& step, int crossing, 
   climb_.saw_free = true;
   const int limit = climb_.bound + crossing;
   if (limit <= 0) return;
-  const Exchange exchange = exchange_for(halfedge, step, removed);
+  const Exchange exchange = state_.exchange(step.child, removed, halfedge);
   const int count = settings_.counts_as_paper
                         ? state_.count_as_paper(exchange)
                         : state_.count_after(exchange, settings_.counts_bounded ? limit : kUnbounded);
@@ -316,7 +298,7 @@ bool TabuSolver::take_back(int wanted) {
     const int up = state_.up(step.child);
     const int removed = step.near_is_child ? up : m.twin[at(up)];
     if (from_[at(removed)] != 0 || !m.may_exchange(removed, wanted)) continue;
-    const Exchange exchange = exchange_for(wanted, step, removed);
+    const Exchange exchange = state_.exchange(step.child, removed, wanted);
     if (state_.count_after(exchange, 1) > 0) continue;
     climb_.chosen = step.near;
     climb_.root = step.far;

@@ -122,7 +122,6 @@ class TabuSolver {
   void try_fold(const PathStep& step, int crossing);
   [[nodiscard]] bool is_kept(const PathStep& step) const;
   [[nodiscard]] bool take_back(int wanted);
-  [[nodiscard]] Exchange exchange_for(int halfedge, const PathStep& step, int removed) const;
   void carry_out(const Exchange& exchange);
   void try_sampled(const PathStep& step, int crossing);
   void try_across(int face, const PathStep& step, int crossing, int removed);

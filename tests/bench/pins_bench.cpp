@@ -12,6 +12,7 @@
 #include "core/mesh/read.h"
 #include "core/project/make_model.h"
 #include "core/solve/solve.h"
+#include "tests/bench/models.h"
 #include "tests/pins.h"
 
 namespace netwright {
@@ -47,16 +48,6 @@ void run(const std::shared_ptr<const DualGraph>& dual, const Constraints& pins, 
   if (result.is_proved) runs.seconds.push_back(result.cpu_seconds);
 }
 
-std::vector<fs::path> models_in(const fs::path& path) {
-  if (!fs::is_directory(path)) return {path};
-  std::vector<fs::path> models;
-  for (const auto& entry : fs::directory_iterator(path))
-    if (entry.path().extension() == ".obj" || entry.path().extension() == ".off")
-      models.push_back(entry.path());
-  std::sort(models.begin(), models.end());
-  return models;
-}
-
 void print(const char* name, Runs& runs, double median_free) {
   std::printf("%-10s %5d %8.1f %8d %9.3f %9.3f %9.3f %7.2f\n", name, runs.n, 100.0 * runs.n_proved / runs.n,
               runs.n_broken, 1e3 * runs.quantile(0.5), 1e3 * runs.quantile(0.95), 1e3 * runs.quantile(1),
@@ -78,7 +69,7 @@ int main(int argc, char** argv) {
     Runs free;
     Runs pinned;
     Random random(7);
-    for (const fs::path& path : models_in(argv[i])) {
+    for (const fs::path& path : testing::models_in(argv[i])) {
       Progress progress;
       const auto soup = std::make_shared<const PolygonSoup>(read_soup(path));
       const MadeModel made = make_model(soup, {}, nullptr, progress);

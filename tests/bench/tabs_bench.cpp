@@ -14,6 +14,7 @@
 #include "core/mesh/read.h"
 #include "core/project/make_model.h"
 #include "core/solve/solve.h"
+#include "tests/bench/models.h"
 #include "tests/tab_check.h"
 
 namespace netwright {
@@ -88,16 +89,6 @@ void run(const fs::path& path, double height_mm, bool with_aim, Figures& figures
   }
 }
 
-std::vector<fs::path> models_in(const fs::path& path) {
-  if (!fs::is_directory(path)) return {path};
-  std::vector<fs::path> models;
-  for (const auto& entry : fs::directory_iterator(path))
-    if (entry.path().extension() == ".obj" || entry.path().extension() == ".off")
-      models.push_back(entry.path());
-  std::ranges::sort(models);
-  return models;
-}
-
 void print(Figures& figures) {
   const auto share = [](double part, double whole) { return whole > 0 ? 100 * part / whole : 0; };
   std::printf("  %d of %d proved, search median %.2f ms, mean %.2f ms CPU\n", figures.n_models,
@@ -125,7 +116,7 @@ int main(int argc, char** argv) {
   for (int i = 2; i < argc; ++i) {
     for (const bool with_aim : {false, true}) {
       Figures figures;
-      for (const std::filesystem::path& model : models_in(argv[i]))
+      for (const std::filesystem::path& model : testing::models_in(argv[i]))
         run(model, std::atof(argv[1]), with_aim, figures);
       std::printf("%s%s\n", argv[i], with_aim ? ", tabs counted in the search" : "");
       print(figures);
