@@ -240,6 +240,9 @@ class Reader {
     add_paper(app);
     add_sheet(app);
     add_exports(app);
+    app.add_flag(
+        "--report", unfold_.has_report,
+        "Tell how well the net can be built: smallest edge, sharpest corner, thinnest neck, tabs, sheets");
     app.add_flag("--json", unfold_.is_json, "Print the result as one JSON object");
   }
 

@@ -48,6 +48,7 @@ struct UnfoldCommand {
   ExportSettings exports;              ///< what differs from the usual takes a project's place
   std::optional<CutterPreset> cutter;  ///< outputs without an extension are folders for its package
   bool is_json = false;
+  bool has_report = false;  ///< how well the net can be built, beside the result
 
   /// Which of these were named; the others are a project's to decide where one is unfolded.
   struct Given {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/base/counted.h"
+#include "core/sheet/buildability.h"
 #include "core/sheet/number_text.h"
 
 namespace netwright {
@@ -25,6 +26,10 @@ std::string duration(double seconds) {
 
 std::string pieces_in_words(int n) { return n == 1 ? "One piece" : std::to_string(n) + " pieces"; }
 
+constexpr std::array<const char*, 3> kGrades = {"fact", "warning", "trouble"};
+
+const char* grade_word(const BuildLine& line) { return kGrades[static_cast<std::size_t>(line.grade)]; }
+
 }  // namespace
 
 std::string model_line(const Mesh& mesh) {
@@ -38,6 +43,27 @@ std::string result_line(const UnfoldOutcome& outcome, const UnfoldCommand& comma
   return pieces_in_words(outcome.result.proof.pieces) + ", proved: no overlaps · " +
          counted(outcome.result.moves, "move", "moves") + " · " + duration(outcome.search_seconds) +
          " · seed " + std::to_string(command.seed);
+}
+
+std::string build_report(const Net& net, const PageLayout& layout) {
+  std::string text;
+  for (const BuildLine& line : lines_of(judge(net, layout), net)) {
+    const bool is_fact = line.grade == BuildLine::Grade::Fact;
+    text += (text.empty() ? "" : "\n") + std::string(is_fact ? "" : grade_word(line)) +
+            (is_fact ? "" : ": ") + line.text;
+  }
+  return text;
+}
+
+Json build_report_json(const Net& net, const PageLayout& layout) {
+  Json list{Json::Array{}};
+  for (const BuildLine& line : lines_of(judge(net, layout), net)) {
+    Json one;
+    one.set("grade", grade_word(line));
+    one.set("text", line.text);
+    list.add(std::move(one));
+  }
+  return list;
 }
 
 std::string tabs_line(const GlueTabs& tabs) {

@@ -25,6 +25,11 @@ struct UnfoldOutcome {
 std::string model_line(const Mesh& mesh);
 /// "One piece, proved: no overlaps · 61 moves · 12 ms · seed 7"
 std::string result_line(const UnfoldOutcome& outcome, const UnfoldCommand& command);
+/// How well the net can be built, a line for each thing; what to look at begins with "warning:" or
+/// "trouble:".
+std::string build_report(const Net& net, const PageLayout& layout);
+/// The same as a list of objects with grade (fact, warning, trouble) and text.
+Json build_report_json(const Net& net, const PageLayout& layout);
 /// "87 glue tabs, 3 cuts without room for one."
 std::string tabs_line(const GlueTabs& tabs);
 /// "bunny.pdf: 1 page A4, model 83 mm high"

@@ -162,6 +162,7 @@ void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, co
     print("Cut into " + std::to_string(drawing.net.n_pieces) + " pieces that fit a page of " +
           command.paper.format + ".");
   if (!drawing.files.empty() && !drawing.layout.tabs.tabs.empty()) print(tabs_line(drawing.layout.tabs));
+  if (command.has_report) print(build_report(drawing.net, drawing.layout));
   if (!drawing.files.empty()) print(files_line(drawing.files, drawing.layout, command));
 }
 
@@ -194,7 +195,8 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
   }
   UnfoldOutcome outcome{mesh, result, now_seconds() - search_start, 0};
   Drawing drawing;
-  if (result.is_proved && !command.outputs.empty()) drawing = draw(command, model, outcome);
+  if (result.is_proved && (!command.outputs.empty() || command.has_report))
+    drawing = draw(command, model, outcome);
   outcome.wall_seconds = now_seconds() - start;
   if (command.is_json) {
     Json json = unfold_json(outcome, command);
@@ -204,6 +206,8 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
     }
     if (command.print.splits_to_fit && !drawing.files.empty())
       json.set("printed_pieces", drawing.net.n_pieces);
+    if (command.has_report && result.is_proved)
+      json.set("report", build_report_json(drawing.net, drawing.layout));
     if (model.replaced) json.set("replaced", replaced_json(*model.replaced));
     print(to_text(json, {.is_indented = true}));
   } else if (result.is_proved) {

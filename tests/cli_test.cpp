@@ -61,6 +61,20 @@ TEST_F(CommandLine, PrintsAsAskedFor) {
   }
 }
 
+TEST_F(CommandLine, ReportsHowWellTheNetCanBeBuilt) {
+  const std::string cube = write("cube.obj", shapes::cube());
+  const Ended large = run({"unfold", cube, "--height", "40", "--report"});
+  EXPECT_EQ(large.status, 0);
+  EXPECT_NE(large.out.find("\nSmallest edge 40"), std::string::npos) << large.out;
+  EXPECT_NE(large.out.find("sheet"), std::string::npos);
+  EXPECT_NE(run({"unfold", cube, "--height", "4", "--report"}).out.find("warning: Smallest edge 4"),
+            std::string::npos);
+  const Json json = run_json({"unfold", cube, "--height", "2", "--report", "--json"}, 0);
+  const Json::Array* const lines = json.find("report")->array();
+  ASSERT_NE(lines, nullptr);
+  EXPECT_EQ(*lines->front().find("grade")->text(), "trouble");
+}
+
 TEST_F(CommandLine, LooksForANetWithRoomForTabsEverywhere) {
   const std::string model = write("cube.obj", shapes::grid_cube(4));
   const auto n_without = [&](const std::string& tabs) {
