@@ -66,7 +66,9 @@ TEST(TabsPanel, SetsKindAndWidthAndCountsWhatCame) {
 
 TEST(TabsPanel, MakesRoomWhereCutsHaveNoTab) {
   Opened gui;
+  const auto at_first = gui.session().pages();
   gui.session().set_size({PrintSize::Kind::Height, 200});
+  ASSERT_TRUE(gui.until([&] { return gui.session().pages() && gui.session().pages() != at_first; }));
   gui.settle();
   gui.open(Section::Tabs);
   const std::size_t before = gui.session().pages()->tabs.missing.size();
@@ -82,6 +84,24 @@ TEST(TabsPanel, MakesRoomWhereCutsHaveNoTab) {
   EXPECT_TRUE(gui.session().shown()->is_proved);
   gui.click("tabs/in-search");
   EXPECT_FALSE(gui.session().project().tabs.in_search);
+}
+
+TEST(PaperPanel, SplitsWhatIsLargerThanThePaper) {
+  Opened gui;
+  gui.open(Section::Paper);
+  EXPECT_FALSE(gui.widgets.find("paper/split").has_value()) << "the net fits its page";
+  gui.session().set_size({PrintSize::Kind::Height, 250});
+  ASSERT_TRUE(gui.until([&] { return gui.widgets.find("paper/split").has_value(); }));
+  gui.frames(3);
+  gui.click("paper/split");
+  ASSERT_TRUE(gui.until([&] {
+    const auto pages = gui.session().pages();
+    return pages != nullptr && pages->pieces.size() > 1 && gui.session().sheets() != nullptr;
+  }));
+  gui.frames(3);
+  EXPECT_FALSE(gui.widgets.find("paper/split").has_value()) << "every piece fits a page now";
+  gui.session().undo();
+  EXPECT_TRUE(gui.until([&] { return gui.session().pages() && gui.session().pages()->pieces.size() == 1; }));
 }
 
 TEST(TabsPanel, SaysOfSelectedEdgesWhatHoldsForThemAlone) {

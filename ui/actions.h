@@ -81,6 +81,7 @@ enum class ActionId {
   AlignCentreAcross,
   AlignCentreUpright,
   RearrangeAll,
+  SplitToFit,
   ToggleTextures,
   ToggleTree,
   ToggleOverlaps,

@@ -392,6 +392,16 @@ std::string why_not_align(const UiContext& c) {
   return chosen_pieces(c).empty() ? "Select one or more pieces first: press A and click them." : "";
 }
 
+void split_to_fit(UiContext& c) { c.session.split_to_fit(); }
+
+std::string why_not_split(const UiContext& c) {
+  if (!c.session.has_model()) return "Open a model first.";
+  const auto pages = c.session.pages();
+  if (pages == nullptr) return "Unfold the model first (Space).";
+  return std::ranges::any_of(pages->canvases, &PageLayout::Canvas::is_tiled) ? ""
+                                                                             : "Every piece fits a page.";
+}
+
 std::string why_not_rearrange(const UiContext& c) {
   return c.session.has_placed_pieces() ? "" : "Nothing was moved by hand: the pieces are arranged already.";
 }

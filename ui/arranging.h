@@ -56,5 +56,8 @@ void rearrange(UiContext& context);
 [[nodiscard]] std::string why_not_arrange(const UiContext& context);
 [[nodiscard]] std::string why_not_align(const UiContext& context);
 [[nodiscard]] std::string why_not_rearrange(const UiContext& context);
+/// Cuts pieces that are larger than the paper into ones that fit.
+void split_to_fit(UiContext& context);
+[[nodiscard]] std::string why_not_split(const UiContext& context);
 
 }  // namespace netwright

@@ -141,6 +141,7 @@ void paper_menu(UiContext& context) {
     ImGui::EndMenu();
   }
   entry(context, ActionId::RearrangeAll);
+  entry(context, ActionId::SplitToFit);
   ImGui::Separator();
   entry(context, ActionId::TogglePages);
   entry(context, ActionId::ToggleTabs);

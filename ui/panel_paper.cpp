@@ -6,6 +6,7 @@
 
 #include "core/base/paper.h"
 #include "ui/actions.h"
+#include "ui/arranging.h"
 #include "ui/panels.h"
 #include "ui/selection.h"
 #include "ui/status.h"
@@ -185,6 +186,11 @@ void panel_paper(UiContext& context) {
     text_muted(context.ui,
                "Prints on " + counted(static_cast<std::int64_t>(sheets->size()), "page", "pages") + ".");
   }
+  if (why_not_split(context).empty() &&
+      button(context.ui, {"paper/split", "Split to fit", "",
+                          "Cuts the net into the fewest pieces that fit a page, instead of tiling it",
+                          ButtonKind::Outlined}))
+    split_to_fit(context);
 }
 
 }  // namespace netwright
