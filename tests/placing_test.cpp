@@ -61,6 +61,23 @@ void expect_near(const Box2& a, const Box2& b) {
   EXPECT_NEAR(glm::distance(a.max, b.max), 0, 1e-9);
 }
 
+TEST(Derived, LaysPagesOutAgainOnlyWhereTheyChange) {
+  const Project project = solved_pair();
+  const auto first = derived_of(project);
+  ASSERT_NE(first->sheets, nullptr);
+  Progress progress;
+  SheetSettings titled = project.sheet;
+  titled.words.title = "Moon";
+  const auto second = derive(set_sheet(project, titled), first, 2, progress);
+  EXPECT_EQ(second->pages, first->pages);
+  EXPECT_EQ(second->judged, first->judged);
+  ASSERT_NE(second->sheets, nullptr);
+  EXPECT_NE(second->sheets, first->sheets);
+  const auto third = derive(set_tabs(project, TabSettings()), first, 3, progress);
+  EXPECT_NE(third->pages, first->pages);
+  EXPECT_FALSE(third->pages->tabs.tabs.empty());
+}
+
 TEST(Placing, TabsThatCoverAnotherPieceOrTheEdgeAreTold) {
   const Project project = solved(project_of(two_solids()));
   const auto derived = derived_of(project);

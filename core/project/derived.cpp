@@ -62,28 +62,36 @@ SheetSettings for_the_screen(SheetSettings settings, const PageLayout& layout) {
   return settings;
 }
 
+void derive_pages(Derived& derived) {
+  const Project& project = derived.source;
+  const Net& net = derived.shown->net;
+  derived.pages = std::make_shared<const PageLayout>(pages_of(project, net));
+  derived.judged = std::make_shared<const Buildability>(judge(net, *derived.pages));
+  if (!project.placed.is_automatic()) derived.misplaced = find_misplaced(net, *derived.pages);
+}
+
 void derive_sheets(Derived& derived, const Derived* before) {
   const Project& project = derived.source;
-  const bool is_same_run = before && before->source.run == project.run && before->shown == derived.shown;
-  if (is_same_run && before->source.paper == project.paper && before->source.size == project.size &&
-      before->source.placed == project.placed && before->source.tabs == project.tabs &&
-      before->source.sheet == project.sheet) {
+  const bool has_same_pages = before && before->source.run == project.run && before->shown == derived.shown &&
+                              before->source.paper == project.paper && before->source.size == project.size &&
+                              before->source.placed == project.placed && before->source.tabs == project.tabs;
+  if (has_same_pages) {
     derived.pages = before->pages;
-    derived.misplaced = before->misplaced;
-    derived.sheets = before->sheets;
     derived.judged = before->judged;
+    derived.misplaced = before->misplaced;
     derived.fault = before->fault;
-    return;
+    if (before->source.sheet == project.sheet) {
+      derived.sheets = before->sheets;
+      return;
+    }
   }
   try {
-    const Net& net = derived.shown->net;
-    derived.pages = std::make_shared<const PageLayout>(pages_of(project, net));
-    derived.judged = std::make_shared<const Buildability>(judge(net, *derived.pages));
-    if (!project.placed.is_automatic()) derived.misplaced = find_misplaced(net, *derived.pages);
+    if (!derived.pages) derive_pages(derived);
     if (derived.is_sound && derived.misplaced.is_nothing())
       derived.sheets = std::make_shared<const std::vector<Sheet>>(
-          draw_sheets(net, *derived.pages, sheet_info(project, derived.is_sound),
+          draw_sheets(derived.shown->net, *derived.pages, sheet_info(project, derived.is_sound),
                       for_the_screen(project.sheet, *derived.pages)));
+    derived.fault.clear();
   } catch (const Error& error) {
     derived.pages = nullptr;
     derived.fault = error.what();
