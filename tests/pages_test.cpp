@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "core/base/error.h"
@@ -253,6 +254,39 @@ TEST(Paper, IsKnownByNameOrByItsSides) {
        {"x", "300x", "x300", "300", "10x300", "300x6000", "300xx300", "-300x300", "nanx300"})
     EXPECT_FALSE(find_paper(word)) << word;
   EXPECT_NEAR(page_frame({"300x200", Orientation::Landscape, 5}).width_mm, 300, 1e-9);
+}
+
+/// Loose rectangles, each a piece of its own.
+PolygonSoup rectangles(const std::vector<glm::dvec2>& sizes) {
+  PolygonSoup soup;
+  double x = 0;
+  for (const glm::dvec2 size : sizes) {
+    const int first = static_cast<int>(soup.points.size());
+    for (const glm::dvec2 p : {glm::dvec2(0, 0), {size.x, 0}, size, {0, size.y}})
+      soup.points.emplace_back(x + p.x, p.y, 0);
+    soup.add_face(std::vector<int>{first, first + 1, first + 2, first + 3});
+    x += size.x + 10;
+  }
+  return soup;
+}
+
+TEST(Arrange, TurnsThePaperRatherThanTileAPieceThatFitsTheOtherWay) {
+  const std::vector<PageFrame> frames = possible_frames({});
+  const glm::dvec2 upright = frames[0].net.size();
+  const glm::dvec2 lying = frames[1].net.size();
+  // The long one fits lying paper alone; the others share an upright page, but no lying one.
+  const glm::dvec2 long_one = lying * glm::dvec2(0.97, 0.65);
+  const glm::dvec2 other = upright * glm::dvec2(0.97, 0.48);
+  const Net net = net_of(rectangles({long_one, other, other}));
+  const PrintSize size{.kind = PrintSize::Kind::Scale, .scale = 1};
+  const PageLayout upright_only = arrange(net, {"A4", Orientation::Portrait, 10}, size);
+  const PageLayout lying_only = arrange(net, {"A4", Orientation::Landscape, 10}, size);
+  ASSERT_EQ(upright_only.pages.size(), lying_only.pages.size());
+  ASSERT_TRUE(std::ranges::any_of(upright_only.canvases, &PageLayout::Canvas::is_tiled));
+  ASSERT_FALSE(std::ranges::any_of(lying_only.canvases, &PageLayout::Canvas::is_tiled));
+  const PageLayout layout = arrange(net, {}, size);
+  EXPECT_TRUE(layout.frame.is_landscape());
+  EXPECT_EQ(layout.canvases.size(), 3U);
 }
 
 TEST(Arrange, TilesWhatIsLargerThanThePaper) {

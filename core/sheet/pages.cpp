@@ -1,16 +1,31 @@
 // The layout of pages: for each orientation the paper allows, every piece is turned, packed or tiled; the
-// orientation that prints larger (fit to page) or needs fewer pages (a given size) is kept.
+// orientation that prints larger (fit to page), or tiles fewer pieces and needs fewer pages (a given size),
+// is kept.
 #include "core/sheet/pages.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/sheet/arranger.h"
 #include "core/sheet/fit_pages.h"
 
 namespace netwright {
+
+namespace {
+
+/// A piece that is whole on one page beats one in tiles, whatever the pages; then fewer pages.
+bool is_better(const PageLayout& a, const PageLayout& b) {
+  const auto cost = [](const PageLayout& layout) {
+    return std::pair(std::ranges::count_if(layout.canvases, &PageLayout::Canvas::is_tiled),
+                     layout.pages.size());
+  };
+  return cost(a) < cost(b);
+}
+
+}  // namespace
 
 PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& size, const TabSettings& tabs) {
   const std::vector<PageFrame> frames = possible_frames(paper);
@@ -23,7 +38,7 @@ PageLayout arrange(const Net& net, const PaperSetup& paper, const PrintSize& siz
   std::optional<PageLayout> best;
   for (const PageFrame& frame : frames) {
     std::optional<PageLayout> layout = arrange_on(shapes, frame, Seams::Best);
-    if (layout && (!best || layout->pages.size() < best->pages.size())) best = std::move(layout);
+    if (layout && (!best || is_better(*layout, *best))) best = std::move(layout);
   }
   if (!best)
     throw Error(ErrorKind::Usage, "A model with " + size_words(size) + " would take more than " +
