@@ -10,6 +10,7 @@
 #include "app/cli_report.h"
 #include "app/cli_search.h"
 #include "app/cli_watch.h"
+#include "app/cli_why.h"
 #include "core/base/error.h"
 #include "core/project/commands.h"
 #include "core/project/project_file.h"
@@ -166,6 +167,17 @@ void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, co
   if (!drawing.files.empty()) print(files_line(drawing.files, drawing.layout, command));
 }
 
+/// Pins are tried out for as long as the search was allowed to take. None where there is nothing to explain.
+std::optional<WhyNot> ask_why(const UnfoldCommand& command, const SolveResult& result,
+                              const SolveOptions& options, const Interrupts& interrupts) {
+  if (result.is_proved || result.isolated_face.is_valid()) return std::nullopt;
+  WhyNot why;
+  const auto limit = command.time_limit_s > 0 ? std::optional(command.time_limit_s) : std::nullopt;
+  run_watched(
+      interrupts, [&](Progress& progress) { why = look_into(result, options, progress); }, limit);
+  return why;
+}
+
 }  // namespace
 
 void check_outputs(const UnfoldCommand& command) {
@@ -194,6 +206,7 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
     if (watched.was_interrupted) return kCancelled;
   }
   UnfoldOutcome outcome{mesh, result, now_seconds() - search_start, 0};
+  const std::optional<WhyNot> why = ask_why(command, result, options, interrupts);
   Drawing drawing;
   if (result.is_proved && (!command.outputs.empty() || command.has_report))
     drawing = draw(command, model, outcome);
@@ -209,6 +222,7 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
     if (command.has_report && result.is_proved)
       json.set("report", build_report_json(drawing.net, drawing.layout));
     if (model.replaced) json.set("replaced", replaced_json(*model.replaced));
+    if (why) json.set("why", why_json(*why, mesh));
     print(to_text(json, {.is_indented = true}));
   } else if (result.is_proved) {
     tell_success(command, outcome, drawing);
@@ -219,6 +233,7 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
     return kImpossible;
   }
   complain(unsolved_sentence(mesh, result, command));
+  for (const std::string& line : why_lines(*why, mesh)) complain("note: " + line);
   return kUnsolved;
 }
 

@@ -234,6 +234,22 @@ TEST_F(CommandLine, WritesNothingWhenTheTimeIsUp) {
   EXPECT_EQ(files(), (Strings{"endless.obj"}));
 }
 
+TEST_F(CommandLine, TellsWhyThereIsNoNet) {
+  const std::string model = write("hats.obj", shapes::to_obj(testing::with_hats(shapes::tetrahedron())));
+  const Json json = run_json({"unfold", model, "--must-fold", "1:2", "--time-limit", "1", "--json"}, 2);
+  const Json* why = json.find("why");
+  ASSERT_NE(why, nullptr);
+  ASSERT_FALSE(why->find("hot_faces")->array()->empty());
+  EXPECT_EQ(why->find("hot_faces")->array()->front().find("heat")->number(), 1.0);
+  ASSERT_FALSE(why->find("excess_points")->array()->empty());
+  EXPECT_GT(why->find("excess_points")->array()->front().find("degrees")->number(), 360.0);
+  EXPECT_TRUE(why->find("releases")->array()->empty());
+  const Ended ended = run({"unfold", model, "--must-fold", "1:2", "--time-limit", "1"});
+  EXPECT_NE(ended.err.find("Most often in collision: faces "), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("with more than 360"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("Without its pins no net was found either."), std::string::npos) << ended.err;
+}
+
 TEST_F(CommandLine, EndsWithStatus130OnCtrlC) {
   write("net.pdf", std::string("what was there before"));
   Child child(folder_, {"unfold", endless_model(), "-o", at("net.pdf"), "--time-limit", "0"});

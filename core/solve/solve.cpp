@@ -110,6 +110,7 @@ class SolveJob {
     result_.iterations = result_.moves = result_.restarts = 0;
     result_.log.clear();
     WholeTree replay(dual_, options_.pins.root);
+    result_.collisions = IdVector<FaceId, std::int64_t>(dual_->mesh().n_faces(), 0);
     for (std::size_t c = 0; c < models_.size(); ++c)
       replay.set(models_[c], portfolios_[c]->stream(portfolios_[c]->best()).episodes().front().start_folds);
     for (std::size_t c = 0; c < models_.size(); ++c) {
@@ -120,6 +121,7 @@ class SolveJob {
       result_.moves += solver.moves();
       result_.restarts += solver.restarts();
       result_.cpu_seconds += portfolio.cpu_seconds();
+      add_collisions(c);
       for (const SearchEpisode& episode : solver.episodes()) {
         replay.set(models_[c], episode.start_folds);
         Episode shown{replay.tree(), episode.overlaps_at_start, {}};
@@ -127,6 +129,14 @@ class SolveJob {
         result_.log.push_back(std::move(shown));
       }
       replay.set(models_[c], solver.best_folds());
+    }
+  }
+
+  void add_collisions(std::size_t c) {
+    for (int k = 0; k < portfolios_[c]->n_streams(); ++k) {
+      const std::vector<std::int64_t>& counts = portfolios_[c]->stream(k).collisions();
+      for (std::size_t f = 0; f < counts.size(); ++f)
+        result_.collisions[models_[c].mesh_face[f]] += counts[f];
     }
   }
 

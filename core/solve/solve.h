@@ -82,6 +82,8 @@ struct SolveResult {
   std::int64_t iterations = 0;    ///< of the stream that found it
   std::int64_t moves = 0;
   int restarts = 0;
+  /// Of all streams: in how many iterations each face was the one to be cleared of overlaps.
+  IdVector<FaceId, std::int64_t> collisions;
   double cpu_seconds = 0;  ///< start trees + search + re-detection, all threads
   double verify_seconds = 0;
   std::vector<Episode> log;  ///< what the replay plays: start trees and moves of the winning stream

@@ -40,6 +40,7 @@ TabuSolver::TabuSolver(const DualGraph& dual, const SearchModel& model, const Se
       state_(model, kSolveDepth, best_box_kernel(), settings.uses_killers) {
   memory_.assign(memory_length(model), -1);
   times_tabu_.assign(at(model.n_halfedges), 0);
+  collisions_.assign(at(model.n_faces), 0);
   best_overlaps_ = kUnbounded;
   start();
   check_solved();
@@ -95,6 +96,7 @@ void TabuSolver::choose_face() {
   climb_.chosen = faces[at(random_.below(static_cast<int>(faces.size())))];
   if (stuck_face_ >= 0 && std::find(faces.begin(), faces.end(), stuck_face_) != faces.end())
     climb_.chosen = stuck_face_;
+  ++collisions_[at(climb_.chosen)];
 }
 
 // The paper roots the tree at random in every step (4.5). At an overlap partner, the climb covers exactly the

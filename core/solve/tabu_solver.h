@@ -93,6 +93,9 @@ class TabuSolver {
   [[nodiscard]] std::int64_t iterations() const { return iterations_; }
   [[nodiscard]] std::int64_t moves() const { return moves_; }
   [[nodiscard]] int restarts() const { return restarts_; }
+  /// Per face: in how many iterations it was the overlapping face to be cleared. Drawn evenly among those
+  /// that overlap, so that faces which still do when few are left count most.
+  [[nodiscard]] const std::vector<std::int64_t>& collisions() const { return collisions_; }
   /// What happened since the start; early episodes of very long searches are dropped.
   [[nodiscard]] const std::vector<SearchEpisode>& episodes() const { return episodes_; }
 
@@ -152,6 +155,7 @@ class TabuSolver {
   std::vector<int> times_tabu_;  // per halfedge
   std::size_t memory_next_ = 0;
 
+  std::vector<std::int64_t> collisions_;  // per face
   std::vector<char> best_folds_;
   int best_overlaps_ = 0;
   bool is_solved_ = false;
