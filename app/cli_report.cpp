@@ -74,12 +74,14 @@ std::string tabs_line(const GlueTabs& tabs) {
          (tabs.missing.empty() ? "." : ", " + count(tabs.missing, "cut", "cuts") + " without room for one.");
 }
 
-std::string files_line(const std::vector<std::filesystem::path>& files, const PageLayout& layout,
+std::string files_line(const WrittenDrawing& written, const PageLayout& layout,
                        const UnfoldCommand& command) {
   std::string line;
-  for (const std::filesystem::path& file : files) line += (line.empty() ? "Written: " : ", ") + file.string();
-  return line + " (" + counted(static_cast<std::int64_t>(layout.pages.size()), "page ", "pages ") +
-         command.paper.format + ", the model " + short_number(layout.model_height_mm) + " mm high)";
+  for (const std::filesystem::path& file : written.files)
+    line += (line.empty() ? "Written: " : ", ") + file.string();
+  line += " (";
+  if (written.n_pages > 0) line += pages_text(written) + ", ";
+  return line + command.paper.format + ", the model " + short_number(layout.model_height_mm) + " mm high)";
 }
 
 std::string unsolved_sentence(const Mesh& mesh, const SolveResult& result, const UnfoldCommand& command) {

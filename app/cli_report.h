@@ -9,6 +9,7 @@
 #include "core/base/json.h"
 #include "core/mesh/mesh_report.h"
 #include "core/project/replace_model.h"
+#include "core/sheet/write.h"
 #include "core/solve/solve.h"
 #include "core/unfold/verify.h"
 
@@ -32,9 +33,8 @@ std::string build_report(const Net& net, const PageLayout& layout);
 Json build_report_json(const Net& net, const PageLayout& layout);
 /// "87 glue tabs, 3 cuts without room for one."
 std::string tabs_line(const GlueTabs& tabs);
-/// "bunny.pdf: 1 page A4, model 83 mm high"
-std::string files_line(const std::vector<std::filesystem::path>& files, const PageLayout& layout,
-                       const UnfoldCommand& command);
+/// "Written: bunny.pdf (2 pages with the instructions, A4, the model 83 mm high)"
+std::string files_line(const WrittenDrawing& written, const PageLayout& layout, const UnfoldCommand& command);
 /// Why there is no net, and what to try.
 std::string unsolved_sentence(const Mesh& mesh, const SolveResult& result, const UnfoldCommand& command);
 

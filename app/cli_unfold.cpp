@@ -101,14 +101,14 @@ struct Drawing {
   Net net;         ///< the one that was found, or cut into pieces that fit
   HandEdit split;  ///< how it was cut
   PageLayout layout;
-  std::vector<fs::path> files;
+  WrittenDrawing written;  ///< all files, and the pages of the one that has most
 };
 
-std::vector<fs::path> write_one(const fs::path& output, const UnfoldCommand& command, const CliModel& model,
-                                const UnfoldOutcome& outcome, const Drawing& drawing) {
+WrittenDrawing write_one(const fs::path& output, const UnfoldCommand& command, const CliModel& model,
+                         const UnfoldOutcome& outcome, const Drawing& drawing) {
   if (has_project_name(output)) {
     write_project(output, model, outcome.result, drawing.split, outcome.search_seconds, command);
-    return {output};
+    return {{output}};
   }
   const Project& project = model.project;
   const SheetInfo info{project.sheet.words.title, true, static_cast<std::uint64_t>(command.seed)};
@@ -118,7 +118,7 @@ std::vector<fs::path> write_one(const fs::path& output, const UnfoldCommand& com
     const CutterPackage package = write_cutter_package(output, drawing.net, clear, info, project.sheet,
                                                        project.exports, *command.cutter);
     for (const std::string& note : package.notes) complain("note: " + note);
-    return package.files;
+    return {package.files, clear.pages.size()};
   }
   return write_drawing(output, drawing.net, drawing.layout, info, project.sheet, project.exports);
 }
@@ -129,6 +129,13 @@ HandEdit split_of(const UnfoldCommand& command, const CliModel& model, const Net
   const Constraints pins = pins_with_edits(model.project);
   return split_to_fit(net, command.paper, command.size, model.project.tabs,
                       [&](EdgeId e) { return pin_of(pins, e) != EdgePin::MustFold; });
+}
+
+void add(const WrittenDrawing& one, WrittenDrawing& all) {
+  std::vector<fs::path> files = std::move(all.files);
+  files.insert(files.end(), one.files.begin(), one.files.end());
+  if (one.n_pages > all.n_pages) all = one;
+  all.files = std::move(files);
 }
 
 /// All files or none: when one cannot be written, those that this run added before it go again.
@@ -143,10 +150,9 @@ Drawing draw(const UnfoldCommand& command, const CliModel& model, const UnfoldOu
     for (const fs::path& output : command.outputs) {
       std::error_code ignored;
       const bool was_there = fs::exists(output, ignored);
-      for (const fs::path& file : write_one(output, command, model, outcome, drawing)) {
-        drawing.files.push_back(file);
-        if (!was_there) added.push_back(file);
-      }
+      const WrittenDrawing one = write_one(output, command, model, outcome, drawing);
+      add(one, drawing.written);
+      if (!was_there) added.insert(added.end(), one.files.begin(), one.files.end());
     }
   } catch (...) {
     std::error_code ignored;
@@ -162,9 +168,10 @@ void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, co
   if (!drawing.split.cut.empty())
     print("Cut into " + std::to_string(drawing.net.n_pieces) + " pieces that fit a page of " +
           command.paper.format + ".");
-  if (!drawing.files.empty() && !drawing.layout.tabs.tabs.empty()) print(tabs_line(drawing.layout.tabs));
+  if (!drawing.written.files.empty() && !drawing.layout.tabs.tabs.empty())
+    print(tabs_line(drawing.layout.tabs));
   if (command.has_report) print(build_report(drawing.net, drawing.layout));
-  if (!drawing.files.empty()) print(files_line(drawing.files, drawing.layout, command));
+  if (!drawing.written.files.empty()) print(files_line(drawing.written, drawing.layout, command));
 }
 
 /// Pins are tried out for as long as the search was allowed to take. None where there is nothing to explain.
@@ -213,11 +220,11 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
   outcome.wall_seconds = now_seconds() - start;
   if (command.is_json) {
     Json json = unfold_json(outcome, command);
-    if (!drawing.files.empty()) {
+    if (!drawing.written.files.empty()) {
       json.set("glue_tabs", static_cast<std::int64_t>(drawing.layout.tabs.tabs.size()));
       json.set("cuts_without_tab", static_cast<std::int64_t>(drawing.layout.tabs.missing.size()));
     }
-    if (command.print.splits_to_fit && !drawing.files.empty())
+    if (command.print.splits_to_fit && !drawing.written.files.empty())
       json.set("printed_pieces", drawing.net.n_pieces);
     if (command.has_report && result.is_proved)
       json.set("report", build_report_json(drawing.net, drawing.layout));

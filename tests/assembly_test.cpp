@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/sheet/labels.h"
 #include "tests/gui_support.h"
 #include "ui/assembly.h"
 
@@ -59,6 +60,34 @@ TEST(AssemblyPanel, GoesFromSeamToSeamAndKeepsWhatIsGlued) {
   gui.frames(20);
   gui.session().undo();
   EXPECT_TRUE(gui.session().project().glued.empty());
+}
+
+TEST(AssemblyPanel, NamesTheNumbersThatAreOnThePaperNow) {
+  Gui gui;
+  gui.open_sample("Cube");
+  ASSERT_TRUE(gui.unfold());
+  UiContext context{gui.session(), gui.ui()};
+  const auto printed = [&] {
+    const SheetSettings& sheet = gui.session().project().sheet;
+    return cut_numbers(gui.session().shown()->net, sheet.labels.skips_obvious,
+                       strip_cuts(*gui.session().pages(), sheet));
+  };
+  const auto shown = [&] {
+    gui.frames(3);
+    IdVector<EdgeId, int> numbers(gui.session().project().dual->mesh().n_edges(), 0);
+    for (const EdgeId e : assembly_order(context)) numbers[e] = assembly_number(context, e);
+    return numbers;
+  };
+  const IdVector<EdgeId, int> before = shown();
+  EXPECT_EQ(before, printed());
+  SheetSettings sheet = gui.session().project().sheet;
+  sheet.labels.skips_obvious = false;
+  gui.session().set_sheet(sheet, "obvious numbers");
+  EXPECT_EQ(shown(), printed()) << "the net is the same, its numbers are not";
+  EXPECT_NE(shown(), before);
+  sheet.labels.edge_numbers = false;
+  gui.session().set_sheet(sheet, "numbers");
+  EXPECT_EQ(shown(), (IdVector<EdgeId, int>(before.size(), 0))) << "no numbers are printed";
 }
 
 TEST(PrintDialog, OpensFromItsKeyAndExportsWhereThereIsNoPrinter) {

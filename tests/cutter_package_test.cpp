@@ -198,6 +198,7 @@ TEST(CutterPackage, RefusesPiecesThatAreLargerThanTheSheet) {
   const std::string sentence = sentence_of(
       [&] { write_cutter_package(folder / "out", d.net, d.layout, {}, {}, {}, CutterPreset::Laser); });
   EXPECT_NE(sentence.find("larger than the paper"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("--split-to-fit"), std::string::npos) << "it names the cure: " << sentence;
   EXPECT_TRUE(folder.files().empty());
 }
 

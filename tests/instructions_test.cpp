@@ -130,12 +130,14 @@ TEST(InstructionSheet, GoesBeforeOrBehindTheSheetsAndNotIntoFilesForMachines) {
   EXPECT_NE(words_of(InstructionPage::Last, "2").find("How to build Box"), std::string::npos);
   SheetSettings two_sided;
   two_sided.printed_side = PrintedSide::Both;
-  write_drawing(pdf, cube.net, cube.layout, {}, two_sided, {.instructions = InstructionPage::First});
+  const WrittenDrawing both =
+      write_drawing(pdf, cube.net, cube.layout, {}, two_sided, {.instructions = InstructionPage::First});
   EXPECT_NE(output_of({"pdfinfo", pdf}).find("Pages:           4\n"), std::string::npos)
       << "the instructions have an empty back";
+  EXPECT_EQ(pages_text(both), "4 pages with 2 backs and the instructions");
   const ExportSettings last{.instructions = InstructionPage::Last};
-  EXPECT_EQ(write_drawing(folder / "net.dxf", cube.net, cube.layout, {}, {}, last).size(), 1U);
-  EXPECT_EQ(write_drawing(folder / "net.svg", cube.net, cube.layout, {}, {}, last).size(), 2U);
+  EXPECT_EQ(write_drawing(folder / "net.dxf", cube.net, cube.layout, {}, {}, last).files.size(), 1U);
+  EXPECT_EQ(write_drawing(folder / "net.svg", cube.net, cube.layout, {}, {}, last).files.size(), 2U);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST(NetObj, HasEveryFaceInItsPaperSize) {
   const TemporaryFolder folder;
   const Net net = net_of(shapes::star(7));
   const PageLayout layout = arrange(net, {}, {});
-  const auto files = write_drawing(folder / "star.obj", net, layout, {});
+  const auto files = write_drawing(folder / "star.obj", net, layout, {}).files;
   ASSERT_EQ(files.size(), 3U);
   const PolygonSoup soup = read_soup(files[0]);
   EXPECT_EQ(soup.n_faces(), static_cast<int>(net.mesh().n_faces()));
@@ -58,7 +58,7 @@ TEST(NetObj, HasAPictureForEachSheetAlsoOfATiledPiece) {
     const PageLayout layout = arrange(net, {}, {PrintSize::Kind::Height, height_mm});
     ASSERT_EQ(layout.canvases.size(), 2U);
     EXPECT_EQ(layout.canvases[0].is_tiled(), height_mm > 100);
-    const auto files = write_drawing(folder / "two.obj", net, layout, {}, {}, {.png_dpi = 72});
+    const auto files = write_drawing(folder / "two.obj", net, layout, {}, {}, {.png_dpi = 72}).files;
     ASSERT_EQ(files.size(), 4U);
     EXPECT_EQ(files[3].filename(), "two_2.png");
     const PolygonSoup soup = read_soup(files[0]);
@@ -71,7 +71,7 @@ TEST(NetObj, ShowsTheOutlineOfTheNetWhereItsCornersAre) {
   const TemporaryFolder folder;
   const Net net = net_of(shapes::cube());
   const PageLayout layout = arrange(net, {}, {});
-  const auto files = write_drawing(folder / "cube.obj", net, layout, {}, {}, {.png_dpi = 150});
+  const auto files = write_drawing(folder / "cube.obj", net, layout, {}, {}, {.png_dpi = 150}).files;
   const PolygonSoup soup = read_soup(files[0]);
   const Image& picture = *soup.materials[0].texture;
   const auto grey = [&](glm::dvec2 uv) {
@@ -109,7 +109,7 @@ TEST(NetObj, NeverReplacesAModelThatItDidNotWrite) {
   EXPECT_EQ(read_file(folder / "model.obj", 100), "v 0 0 0\n");
   EXPECT_EQ(folder.files().size(), 1U);
   write_drawing(folder / "net.obj", net, layout, {}, {}, {.png_dpi = 72});
-  EXPECT_EQ(write_drawing(folder / "net.obj", net, layout, {}, {}, {.png_dpi = 72}).size(), 3U);
+  EXPECT_EQ(write_drawing(folder / "net.obj", net, layout, {}, {}, {.png_dpi = 72}).files.size(), 3U);
 }
 
 }  // namespace

@@ -193,6 +193,52 @@ TEST(PrintPanel, KeepsLinesWordsAndSwitches) {
   gui.settle();
 }
 
+TEST(ExportPanel, ShowsForEachFormatWhatCanBeSetOfItAndKeepsItInTheProject) {
+  Opened gui;
+  gui.open(Section::Export);
+  EXPECT_FALSE(gui.widgets.find("export/one-file").has_value()) << "a PDF is one file always";
+  gui.click("export/instructions/Last");
+  EXPECT_EQ(gui.session().project().exports.instructions, InstructionPage::Last);
+  EXPECT_EQ(gui.session().undo_label(), "Undo instructions");
+  const auto choose = [&](const char* format) {
+    gui.click("export/target");
+    gui.frames(2);
+    gui.click(std::string("export/target/") + format);
+    gui.frames(2);
+  };
+  choose("SVG drawing");
+  gui.click("export/one-file");
+  gui.click("export/real-dashes");
+  gui.click("export/live-text");
+  choose("PNG pictures");
+  EXPECT_FALSE(gui.widgets.find("export/one-file").has_value());
+  gui.enter("export/dpi", "9000");
+  const ExportSettings wanted{true, true, true, kMostDpi, InstructionPage::Last};
+  EXPECT_EQ(gui.session().project().exports, wanted) << "and dots per inch are held to their limits";
+  gui.session().undo();
+  EXPECT_EQ(gui.session().project().exports.png_dpi, 300);
+  choose("Laser cutter folder");
+  EXPECT_FALSE(gui.widgets.find("export/instructions").has_value());
+  gui.settle();
+  gui.click("export/write");
+  EXPECT_EQ(gui.ui().dialog, Dialog::Export);
+  EXPECT_EQ(gui.ui().export_extension, "laser");
+}
+
+TEST(ExportDialog, HasTheSameSettings) {
+  Opened gui;
+  gui.key('P', 2);
+  gui.frames(3);
+  gui.click("export/format/SVG");
+  gui.frames(3);
+  gui.click("export/one-file");
+  EXPECT_TRUE(gui.session().project().exports.is_one_file);
+  EXPECT_FALSE(gui.widgets.find("export/dpi").has_value());
+  gui.click("export/format/PNG");
+  gui.frames(3);
+  EXPECT_TRUE(gui.widgets.find("export/dpi").has_value());
+}
+
 TEST(PaperPanel, KnowsSizesByEdgeScaleAndSheets) {
   Opened gui;
   gui.open(Section::Paper);

@@ -515,8 +515,11 @@ TEST_F(SessionTest, SavesTheProvedNet) {
   open_and_unfold(bumpy());
   session_.export_to(in_folder("patch.pdf"));
   session_.export_to(in_folder("patch.fold"));
+  session_.set_exports({.instructions = InstructionPage::First}, "instructions");
+  session_.export_to(in_folder("guide.pdf"));
   ASSERT_TRUE(frames_until([this] { return session_.chore() == nullptr; }));
   EXPECT_TRUE(has_message(Message::Kind::Good, "Saved patch.pdf, 1 page"));
+  EXPECT_TRUE(has_message(Message::Kind::Good, "Saved guide.pdf, 2 pages with the instructions"));
   EXPECT_TRUE(has_message(Message::Kind::Good, "Saved patch.fold"));
   EXPECT_GT(std::filesystem::file_size(folder_ / "patch.pdf"), 1000u);
   EXPECT_GT(std::filesystem::file_size(folder_ / "patch.fold"), 1000u);

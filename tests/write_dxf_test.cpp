@@ -144,8 +144,8 @@ TEST(WriteDxf, PutsSeveralSheetsSideBySideOnRequest) {
   const testing::TemporaryFolder folder;
   const PageLayout layout = arrange(net, {}, {PrintSize::Kind::Height, 300});
   ASSERT_GT(layout.pages.size(), 1U);
-  EXPECT_EQ(write_drawing(folder / "many.dxf", net, layout, {}).size(), layout.pages.size());
-  const auto files = write_drawing(folder / "one.dxf", net, layout, {}, {}, {.is_one_file = true});
+  EXPECT_EQ(write_drawing(folder / "many.dxf", net, layout, {}).files.size(), layout.pages.size());
+  const auto files = write_drawing(folder / "one.dxf", net, layout, {}, {}, {.is_one_file = true}).files;
   ASSERT_EQ(files.size(), 1U);
   EXPECT_EQ(files[0].filename(), "one.dxf");
   double right = 0;

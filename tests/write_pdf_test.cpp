@@ -239,7 +239,7 @@ TEST(WritePng, HasAsManyDotsPerInchAsAskedFor) {
   const TemporaryFolder folder;
   const PageLayout layout = arrange(net, {"A4", Orientation::Portrait, 10}, {});
   for (const auto& [asked, width] : {std::pair(72, 595), {150, 1240}, {20, 595}}) {
-    const auto files = write_drawing(folder / "net.png", net, layout, {}, {}, {.png_dpi = asked});
+    const auto files = write_drawing(folder / "net.png", net, layout, {}, {}, {.png_dpi = asked}).files;
     EXPECT_EQ(image_size(read_file(files[0], 10'000'000)).width, width) << asked;
   }
 }
@@ -260,7 +260,7 @@ TEST(WritePng, NumbersItsPagesWhenThereAreSeveral) {
   const Net net = net_of(shapes::cube());
   const TemporaryFolder folder;
   const PageLayout layout = arrange(net, {"A6", Orientation::Auto, 10}, {PrintSize::Kind::Height, 60});
-  const auto files = write_drawing(folder / "net.png", net, layout, {});
+  const auto files = write_drawing(folder / "net.png", net, layout, {}).files;
   ASSERT_EQ(files.size(), layout.pages.size());
   ASSERT_GT(files.size(), 1U);
   EXPECT_EQ(files[0].filename(), "net_1.png");

@@ -132,7 +132,7 @@ TEST(WriteSvg, WritesOneFilePerPage) {
   const Net net = net_of(shapes::cube());
   const testing::TemporaryFolder folder;
   const PageLayout layout = arrange(net, {}, {PrintSize::Kind::Height, 300});
-  const auto files = write_drawing(folder / "box.svg", net, layout, {});
+  const auto files = write_drawing(folder / "box.svg", net, layout, {}).files;
   ASSERT_EQ(files.size(), layout.pages.size());
   EXPECT_EQ(files[1].filename(), "box_2.svg");
   for (const auto& file : files) EXPECT_EQ(layers_of(read_file(file, 10'000'000)).size(), 7U);
@@ -157,7 +157,7 @@ TEST(WriteSvg, PutsAllSheetsIntoOneFileAsPagesSideBySideOnRequest) {
   const Net net = net_of(shapes::cube());
   const testing::TemporaryFolder folder;
   const PageLayout layout = arrange(net, {}, {PrintSize::Kind::Height, 300});
-  const auto files = write_drawing(folder / "box.svg", net, layout, {}, {}, {.is_one_file = true});
+  const auto files = write_drawing(folder / "box.svg", net, layout, {}, {}, {.is_one_file = true}).files;
   ASSERT_EQ(files.size(), 1U);
   const std::string svg = read_file(files[0], 10'000'000);
   std::size_t n_pages = 0;

@@ -30,11 +30,27 @@ const std::vector<EdgeId>& assembly_order(UiContext& c) {
   assembly.is_known = true;
   assembly.version = version;
   assembly.order.clear();
-  assembly.numbers = {};
   if (version == 0) return assembly.order;
   assembly.order = gluing_order(shown->net);
-  assembly.numbers = cut_numbers(shown->net, c.session.project().sheet.labels.skips_obvious);
   return assembly.order;
+}
+
+int assembly_number(UiContext& c, EdgeId cut) {
+  const SheetSettings& sheet = c.session.project().sheet;
+  const auto shown = c.session.shown();
+  const auto pages = c.session.pages();
+  if (shown == nullptr || pages == nullptr || !sheet.labels.edge_numbers) return 0;
+  Assembly& assembly = c.ui.assembly;
+  std::vector<EdgeId> tabless = strip_cuts(*pages, sheet);
+  const bool is_same = assembly.numbers_version == shown->version && !assembly.numbers.empty() &&
+                       assembly.skips_obvious == sheet.labels.skips_obvious && assembly.tabless == tabless;
+  if (!is_same) {
+    assembly.numbers_version = shown->version;
+    assembly.skips_obvious = sheet.labels.skips_obvious;
+    assembly.tabless = std::move(tabless);
+    assembly.numbers = cut_numbers(shown->net, assembly.skips_obvious, assembly.tabless);
+  }
+  return assembly.numbers[cut];
 }
 
 EdgeId assembly_seam(UiContext& c) {

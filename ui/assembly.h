@@ -10,6 +10,8 @@ namespace netwright {
 
 /// The order for the shown net, worked out once for each net; empty without a proved one.
 const std::vector<EdgeId>& assembly_order(UiContext& context);
+/// The number printed at both sides of a cut; 0 for those without one, and where numbers are not printed.
+[[nodiscard]] int assembly_number(UiContext& context, EdgeId cut);
 /// The seam in hand: the selected cut, else the first that is not glued; invalid when all are.
 [[nodiscard]] EdgeId assembly_seam(UiContext& context);
 /// So many steps on or back; both views fly there.

@@ -11,6 +11,7 @@
 #include "core/sheet/cutter_package.h"
 #include "core/sheet/write.h"
 #include "ui/actions.h"
+#include "ui/export_rows.h"
 #include "ui/leave.h"
 #include "ui/recent_files.h"
 #include "ui/widgets.h"
@@ -199,6 +200,7 @@ void Dialogs::draw_export(UiContext& context) {
       ui.export_run == 0 ? "" : "Export the net of run " + std::to_string(ui.export_run);
   if (!begin_window(ui, 720, 560, title)) return;
   choose_format(ui);
+  export_rows(context, true);
   const float height = ImGui::GetContentRegionAvail().y - ui.look.px(44);
   auto chosen = browser_.draw(ui, height);
   const bool is_overwriting = browser_.is_asking_to_overwrite();

@@ -22,9 +22,12 @@ void step_button(UiContext& c, const char* name, ActionId id, ButtonKind kind, f
 
 void seam_text(UiContext& c, EdgeId seam, const std::vector<EdgeId>& order) {
   const auto at = std::ranges::find(order, seam) - order.begin();
-  const int number = c.ui.assembly.numbers.empty() ? 0 : c.ui.assembly.numbers[seam];
+  const int number = assembly_number(c, seam);
   std::string text = "Step " + grouped(at + 1) + " of " + grouped(static_cast<std::int64_t>(order.size()));
-  text += number > 0 ? ": the sides with number " + grouped(number) : ": two sides that meet at a point";
+  const bool has_numbers = c.session.project().sheet.labels.edge_numbers;
+  text += number > 0    ? ": the sides with number " + grouped(number)
+          : has_numbers ? ": two sides that meet at a point"
+                        : ": the two sides that are lit";
   if (std::ranges::binary_search(c.session.project().glued, seam)) text += ", glued";
   ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - c.ui.look.px(16));
   ImGui::TextUnformatted(text.c_str());

@@ -24,6 +24,7 @@ void panel_runs(UiContext& context);
 void panel_tabs(UiContext& context);
 void panel_paper(UiContext& context);
 void panel_print(UiContext& context);
+void panel_export(UiContext& context);
 void panel_check(UiContext& context);
 void panel_assembly(UiContext& context);
 void panel_overlaps(UiContext& context);

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kThemeNames{"system", "light", "dark"};
 constexpr std::array<std::string_view, 2> kUnitNames{"mm", "in"};
 constexpr std::array<std::string_view, kSections> kSectionNames{
-    "model", "solve", "runs", "tabs", "paper", "print", "check", "assembly", "history", "overlaps"};
+    "model", "solve", "runs", "tabs", "paper", "print", "export", "check", "assembly", "history", "overlaps"};
 constexpr std::array<std::string_view, kFirstHints> kHintNames{"views", "runs"};
 
 struct Flag {

@@ -14,8 +14,8 @@
 namespace netwright {
 
 /// The sections of the side panel.
-enum class Section { Model, Solve, Runs, Tabs, Paper, Print, Check, Assembly, History, Overlaps };
-inline constexpr std::size_t kSections = 10;
+enum class Section { Model, Solve, Runs, Tabs, Paper, Print, Export, Check, Assembly, History, Overlaps };
+inline constexpr std::size_t kSections = 11;
 
 /// Hints for people who are new here; each goes away for good once it was closed or has done its work.
 enum class FirstHint { Views, Runs };
@@ -41,7 +41,7 @@ struct Settings {
   bool is_xray = false;       ///< the model is seen through
   bool show_numbers = false;  ///< of faces and edges, in the net
   bool show_textures = true;
-  std::array<bool, kSections> open_sections{false, true,  true,  false, true,
+  std::array<bool, kSections> open_sections{false, true,  true,  false, true, false,
                                             false, false, false, false, false};
   std::array<bool, kFirstHints> hints_done{};
   int window_width = 0;  ///< of the real window, in screen units; 0 = never seen

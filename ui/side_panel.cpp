@@ -42,6 +42,12 @@ std::string print_summary(const UiContext& c) {
   return sheet.is_grey ? "grey" : sheet.printed_side == PrintedSide::Both ? "both sides" : "";
 }
 
+std::string export_summary(const UiContext& c) {
+  if (!c.session.has_model()) return "";
+  const bool has_instructions = c.session.project().exports.instructions != InstructionPage::None;
+  return has_instructions ? "with instructions" : "";
+}
+
 /// How many things are wrong, the worst grade first.
 std::string check_summary(const UiContext& c) {
   const auto judged = c.session.buildability();
@@ -97,6 +103,7 @@ constexpr std::array<SectionLine, kSections> kSectionLines{
     SectionLine{Section::Tabs, "Tabs", tabs_summary, panel_tabs},
     SectionLine{Section::Paper, "Paper", paper_summary, panel_paper},
     SectionLine{Section::Print, "Print", print_summary, panel_print},
+    SectionLine{Section::Export, "Export", export_summary, panel_export},
     SectionLine{Section::Check, "Check", check_summary, panel_check},
     SectionLine{Section::Assembly, "Assembly", assembly_summary, panel_assembly},
     SectionLine{Section::History, "History", history_summary, panel_history},

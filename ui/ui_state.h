@@ -105,12 +105,16 @@ struct Tabbing {
   double width_mm = 0;  ///< while it is dragged
 };
 
-/// The gluing order of the net that it was worked out for.
+/// The gluing order of the net that it was worked out for, and its numbers with the settings they were made
+/// by.
 struct Assembly {
   std::uint64_t version = 0;
   bool is_known = false;
   std::vector<EdgeId> order = {};
-  IdVector<EdgeId, int> numbers = {};  ///< as printed; 0 for cuts without
+  std::uint64_t numbers_version = 0;
+  bool skips_obvious = false;
+  std::vector<EdgeId> tabless = {};
+  IdVector<EdgeId, int> numbers = {};  ///< as printed; 0 for cuts without; empty before they are asked for
 };
 
 struct Toast {

@@ -55,14 +55,14 @@ std::string unfinished_news(const SolveResult& result, const RunFigures& figures
          duration_text(figures.seconds) + ": let it run longer or try a new seed.";
 }
 
-std::string export_news(const std::vector<std::filesystem::path>& files, std::size_t n_pages) {
-  const std::string first = files.front().filename().string();
+std::string export_news(const WrittenDrawing& written) {
+  const auto& files = written.files;
+  std::string news = "Saved " + files.front().filename().string();
   if (files.size() > 1)
-    return "Saved " + first + " to " + files.back().filename().string() + ", " +
-           grouped(static_cast<std::int64_t>(files.size())) + " files";
-  const bool has_pages = files.front().extension() == ".pdf" || files.front().extension() == ".PDF";
-  if (!has_pages) return "Saved " + first;
-  return "Saved " + first + ", " + counted(static_cast<std::int64_t>(n_pages), "page", "pages");
+    news += " to " + files.back().filename().string() + ", " +
+            grouped(static_cast<std::int64_t>(files.size())) + " files";
+  const bool says_pages = written.n_backs > 0 || written.has_instructions || files.size() == 1;
+  return written.n_pages > 0 && says_pages ? news + ", " + pages_text(written) : news;
 }
 
 std::string why_no_sheets(const Derived& derived) {
@@ -137,9 +137,8 @@ void Session::Impl::export_to(const std::filesystem::path& path, const Project& 
                               std::shared_ptr<const Derived> before) {
   export_by(path.filename().string(), source, std::move(before), [path](const Derived& now) {
     const Project& printed = now.source;
-    const auto files = write_drawing(path, now.shown->net, *now.pages, sheet_info(printed, now.is_sound),
-                                     printed.sheet, printed.exports);
-    return export_news(files, now.pages->pages.size());
+    return export_news(write_drawing(path, now.shown->net, *now.pages, sheet_info(printed, now.is_sound),
+                                     printed.sheet, printed.exports));
   });
 }
 

@@ -48,7 +48,8 @@ void refuse_tiles(const PageLayout& layout) {
     if (canvas.is_tiled())
       throw Error(ErrorKind::Usage,
                   "A piece is larger than the paper, and no machine cuts across sheets; use larger paper, "
-                  "print the model smaller or allow more pieces.");
+                  "print the model smaller or split the net to fit (Split to fit in the window, "
+                  "--split-to-fit on the command line).");
 }
 
 std::vector<std::string> notes_on(const std::vector<CutterSheets>& sheets, CutterPreset preset) {

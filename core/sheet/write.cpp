@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "core/base/atomic_file.h"
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/sheet/fold_file.h"
 #include "core/sheet/instructions.h"
@@ -59,6 +60,24 @@ void refuse_huge_picture(std::span<const Sheet> sheets, int dpi) {
   }
 }
 
+std::vector<path> write_sheets(const path& file, const std::string& extension, std::span<const Sheet> sheets,
+                               const std::string& title, const ExportSettings& exports) {
+  using Sheets = std::span<const Sheet>;
+  if (extension == ".svg")
+    return write_pages(file, sheets, exports.is_one_file,
+                       [&](Sheets some) { return svg_bytes(some, title, exports); });
+  if (extension == ".dxf")
+    return write_pages(file, sheets, exports.is_one_file,
+                       [&](Sheets some) { return dxf_bytes(some, exports); });
+  if (extension == ".png") {
+    const int dpi = std::clamp(exports.png_dpi, kLeastDpi, kMostDpi);
+    refuse_huge_picture(sheets, dpi);
+    return write_pages(file, sheets, false, [&](Sheets some) { return png_bytes(some.front(), dpi); });
+  }
+  write_file(file, pdf_bytes(sheets, title));
+  return {file};
+}
+
 /// In front of two-sided sheets its own back stays empty, so that fronts stay on fronts.
 void add_instructions(std::vector<Sheet>& sheets, Sheet page, InstructionPage where) {
   if (where == InstructionPage::Last) {
@@ -91,9 +110,18 @@ bool is_export_format(const path& file) {
                      [&](const ExportFormat& format) { return format.extension == extension; });
 }
 
-std::vector<path> write_drawing(const path& file, const Net& net, const PageLayout& layout,
-                                const SheetInfo& info, const SheetSettings& settings,
-                                const ExportSettings& exports) {
+std::string pages_text(const WrittenDrawing& written) {
+  std::string text = counted(static_cast<std::int64_t>(written.n_pages), "page", "pages");
+  if (written.n_backs > 0)
+    text += " with " + counted(static_cast<std::int64_t>(written.n_backs), "back", "backs");
+  if (written.has_instructions)
+    text += written.n_backs > 0 ? " and the instructions" : " with the instructions";
+  return text;
+}
+
+WrittenDrawing write_drawing(const path& file, const Net& net, const PageLayout& layout,
+                             const SheetInfo& info, const SheetSettings& settings,
+                             const ExportSettings& exports) {
   const std::string extension = lower_extension(file);
   if (!is_export_format(file)) {
     std::string known;
@@ -107,26 +135,15 @@ std::vector<path> write_drawing(const path& file, const Net& net, const PageLayo
     FlatNet flat = to_flat_net(spread_pieces(net), layout.scale);
     flat.title = title;
     write_fold(file, flat);
-    return {file};
+    return {{file}};
   }
-  if (extension == ".obj") return write_net_obj(file, net, layout, settings, exports);
+  if (extension == ".obj") return {write_net_obj(file, net, layout, settings, exports)};
   std::vector<Sheet> sheets = draw_sheets(net, layout, info, settings);
-  using Sheets = std::span<const Sheet>;
-  if (exports.instructions != InstructionPage::None && extension != ".dxf")
+  const bool has_instructions = exports.instructions != InstructionPage::None && extension != ".dxf";
+  if (has_instructions)
     add_instructions(sheets, instruction_sheet(net, layout, info, settings), exports.instructions);
-  if (extension == ".svg")
-    return write_pages(file, sheets, exports.is_one_file,
-                       [&](Sheets some) { return svg_bytes(some, title, exports); });
-  if (extension == ".dxf")
-    return write_pages(file, sheets, exports.is_one_file,
-                       [&](Sheets some) { return dxf_bytes(some, exports); });
-  if (extension == ".png") {
-    const int dpi = std::clamp(exports.png_dpi, kLeastDpi, kMostDpi);
-    refuse_huge_picture(sheets, dpi);
-    return write_pages(file, sheets, false, [&](Sheets some) { return png_bytes(some.front(), dpi); });
-  }
-  write_file(file, pdf_bytes(sheets, title));
-  return {file};
+  const auto n_backs = static_cast<std::size_t>(std::ranges::count_if(sheets, &Sheet::is_back));
+  return {write_sheets(file, extension, sheets, title, exports), sheets.size(), n_backs, has_instructions};
 }
 
 }  // namespace netwright

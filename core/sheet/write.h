@@ -26,14 +26,24 @@ bool is_export_format(const std::filesystem::path& path);
 /// name.png, or name_3.png for index 2 of several.
 std::filesystem::path page_path(const std::filesystem::path& file, std::size_t index, std::size_t count);
 
-/// Draws the net and writes it; returns the files made. PDF and FOLD are one file; PNG, SVG and DXF are one
+/// What was written. Formats that know no pages (FOLD, OBJ) have none.
+struct WrittenDrawing {
+  std::vector<std::filesystem::path> files;
+  std::size_t n_pages = 0;        ///< all of them,
+  std::size_t n_backs = 0;        ///< these among them
+  bool has_instructions = false;  ///< and a page with instructions
+};
+
+/// "4 pages", "6 pages with 2 backs and the instructions".
+std::string pages_text(const WrittenDrawing& written);
+
+/// Draws the net and writes it. PDF and FOLD are one file; PNG, SVG and DXF are one
 /// per page: name.png, or name_1.png, name_2.png … when there are several; SVG and DXF on request one for
 /// all. OBJ has its materials and pictures beside it. Throws Error(Usage) for an unknown extension, naming
 /// the known ones, and Error(Write) when a file cannot be written.
-std::vector<std::filesystem::path> write_drawing(const std::filesystem::path& path, const Net& net,
-                                                 const PageLayout& layout, const SheetInfo& info,
-                                                 const SheetSettings& settings = {},
-                                                 const ExportSettings& exports = {});
+WrittenDrawing write_drawing(const std::filesystem::path& path, const Net& net, const PageLayout& layout,
+                             const SheetInfo& info, const SheetSettings& settings = {},
+                             const ExportSettings& exports = {});
 
 /// The single writers: sheets to bytes. The same sheets give the same bytes. Several sheets lie side by side
 /// in SVG and DXF. DXF has no Layer::Print: it is for machines.
