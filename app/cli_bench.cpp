@@ -9,7 +9,9 @@
 #include <optional>
 
 #include "app/cli_bench_log.h"
+#include "app/cli_bench_place.h"
 #include "app/cli_bench_plan.h"
+#include "app/cli_bench_report.h"
 #include "app/cli_bench_table.h"
 #include "app/cli_commands.h"
 #include "app/cli_report.h"
@@ -90,11 +92,67 @@ BenchModel read_model(const fs::path& path) {
   return model;
 }
 
+/// Which times tell most, and what they are called: the wall clock tells something of its own only when
+/// several searches share it.
+struct TimesShown {
+  double BenchRow::*times;
+  const char* words;
+  const char* column;
+};
+constexpr TimesShown kCpuTimes{&BenchRow::cpu_seconds, "CPU time of the search", "cpu_seconds"};
+constexpr TimesShown kWallTimes{&BenchRow::wall_seconds, "Wall-clock time of search and proof",
+                                "wall_seconds"};
+
+/// Prints the tables of these times; returns them as lines for the file of rows.
+std::vector<std::string> tell_times(const BenchRecord& record, const TimesShown& shown) {
+  const std::vector<BenchFigures> figures = bench_figures(record.rows, shown.times);
+  print(std::string(shown.words) + " (" + record.options.substr(record.options.find(": ") + 2) + ")");
+  print(bench_table(figures));
+  std::vector<std::string> lines = bench_summary(figures);
+  lines.insert(lines.begin(),
+               std::string(shown.column) + " of all rows above that were searched, by folder:");
+  const std::string growth = growth_sentence(bench_growth(bench_sizes(record.rows, shown.times)));
+  if (!growth.empty()) {
+    print(growth);
+    lines.push_back(growth);
+  }
+  return lines;
+}
+
+std::vector<std::string> tell_figures(const BenchRecord& record, int streams) {
+  std::vector<std::string> lines = tell_times(record, kCpuTimes);
+  if (streams > 1) {
+    const std::vector<std::string> more = tell_times(record, kWallTimes);
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
+  print("Iterations of the search");
+  print(iterations_table(bench_figures(record.rows, kCpuTimes.times)));
+  return lines;
+}
+
+void report(const fs::path& folder, const BenchRecord& record, int streams) {
+  if (folder.empty()) return;
+  const TimesShown& shown = streams > 1 ? kWallTimes : kCpuTimes;
+  write_report(folder, record, shown.times, shown.words);
+  print("Report: " + (folder / "index.html").string());
+}
+
+/// The figures of a table that is there already.
+int report_table(const BenchCommand& command) {
+  const BenchRecord record = read_bench(command.tsv);
+  const int streams = record.options.find(": streams 1,") == std::string::npos ? 2 : 1;
+  tell_figures(record, streams);
+  report(command.report, record, streams);
+  return kDone;
+}
+
 class Bench {
  public:
   explicit Bench(const BenchCommand& command)
       : command_(command), groups_(bench_plan(command.paths)), n_runs_(count_runs()) {
-    if (!command.tsv.empty()) log_ = std::make_unique<BenchLog>(command.tsv, options_line());
+    if (!command.report.empty()) make_report_folder(command.report);
+    log_ = command.tsv.empty() ? std::make_unique<BenchLog>(options_line(), bench_place())
+                               : std::make_unique<BenchLog>(command.tsv, options_line(), bench_place());
   }
 
   int run() {
@@ -106,7 +164,8 @@ class Bench {
           if (!run_model(group, model, line)) break;
     }
     if (was_interrupted_) return tell_stop();
-    tell_figures();
+    log_->finish(tell_figures(log_->record(), command_.streams));
+    report(command_.report, log_->record(), command_.streams);
     return kDone;
   }
 
@@ -207,28 +266,12 @@ class Bench {
   }
 
   int tell_stop() const {
-    std::string words =
-        "Stopped after " + std::to_string(log_->rows().size()) + " of " + std::to_string(n_runs_) + " runs";
+    std::string words = "Stopped after " + std::to_string(log_->record().rows.size()) + " of " +
+                        std::to_string(n_runs_) + " runs";
     if (!command_.tsv.empty())
       words += "; the same command goes on behind the last row in " + command_.tsv.string();
     complain(words + ".");
     return kCancelled;
-  }
-
-  /// The wall clock tells something of its own only when several searches share it.
-  void tell_figures() {
-    tell_figures("CPU time of the search", "cpu_seconds", &BenchRow::cpu_seconds);
-    if (command_.streams > 1)
-      tell_figures("Wall-clock time of search and proof", "wall_seconds", &BenchRow::wall_seconds);
-  }
-
-  void tell_figures(const std::string& title, const std::string& column, double BenchRow::*times) {
-    const std::vector<BenchFigures> figures = bench_figures(log_->rows(), times);
-    print(title + " (" + settings_words(command_) + ")");
-    print(bench_table(figures));
-    std::vector<std::string> lines = bench_summary(figures);
-    lines.insert(lines.begin(), column + " of all rows above that were searched, by folder:");
-    log_->finish(lines);
   }
 
   const BenchCommand& command_;
@@ -236,7 +279,7 @@ class Bench {
   std::size_t n_runs_;
   std::size_t run_ = 0;  // the one that is on, counted from 1
   bool was_interrupted_ = false;
-  std::unique_ptr<BenchLog> log_ = std::make_unique<BenchLog>();
+  std::unique_ptr<BenchLog> log_;
   Interrupts interrupts_;  // before the worker, whose threads have to hold Ctrl-C back as well
   Worker worker_;
   std::unique_ptr<ThreadPool> pool_;  // made with the first run
@@ -244,6 +287,8 @@ class Bench {
 
 }  // namespace
 
-int run_bench(const BenchCommand& command) { return Bench(command).run(); }
+int run_bench(const BenchCommand& command) {
+  return command.paths.empty() ? report_table(command) : Bench(command).run();
+}
 
 }  // namespace netwright

@@ -1,5 +1,6 @@
-// The file's form: a comment with the options, a header, one line of tab-separated fields per run, and at the
-// end the summary as comments. Everything after the last whole row is made anew when the bench goes on.
+// The file's form: a comment with the options, a header, one line of tab-separated fields per run, a comment
+// with machine and build before the first one measured there, and at the end the summary as comments.
+// Everything after the last whole row is made anew when the bench goes on.
 #include "app/cli_bench_log.h"
 
 #include <fcntl.h>
@@ -25,6 +26,7 @@ constexpr const char* kHeader =
     "folder\tmodel\tfaces\tseed\tsolved\tverified\toverlaps\titerations\tmoves\trestarts\tcpu_seconds\t"
     "wall_seconds\tverify_seconds\tnote\n";
 constexpr std::size_t kColumns = 14;
+constexpr const char* kPlace = "# measured with ";
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
 /// Tabs and line ends would tear a row apart; names and notes may hold them.
@@ -92,6 +94,30 @@ std::optional<BenchRow> to_row(const std::string& line) {
   return is_row ? std::optional(row) : std::nullopt;
 }
 
+/// Where the lines that count end, and the first one that is neither a run nor a comment.
+struct WholeLines {
+  std::size_t end = 0;
+  std::string stranger;
+};
+
+/// Enters the rows and places that begin at `begin`; the summary behind them does not count.
+WholeLines whole_lines(const std::string& text, std::size_t begin, BenchRecord& record) {
+  WholeLines lines{begin, {}};
+  for (std::size_t end = text.find('\n', begin); end != std::string::npos; end = text.find('\n', lines.end)) {
+    const std::string line = text.substr(lines.end, end - lines.end);
+    if (line.starts_with(kPlace)) {
+      record.places.push_back(line.substr(std::strlen(kPlace)));
+    } else if (const std::optional<BenchRow> row = to_row(line)) {
+      record.rows.push_back(*row);
+    } else {
+      if (!line.starts_with('#')) lines.stranger = line.substr(0, 60);
+      break;
+    }
+    lines.end = end + 1;
+  }
+  return lines;
+}
+
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason,
                          const std::string& cure) {
   throw Error(ErrorKind::Write, "Cannot write " + path.string() + ": " + reason + "; " + cure + ".");
@@ -99,10 +125,33 @@ std::optional<BenchRow> to_row(const std::string& line) {
 
 }  // namespace
 
-BenchLog::BenchLog(const std::filesystem::path& path, const std::string& options) : path_(path) {
+BenchRecord read_bench(const std::filesystem::path& path) {
+  const std::string text = read_file(path, kMostBytes);
+  const std::size_t head = text.find(kHeader);
+  if (!text.starts_with("# ") || head == std::string::npos || head != text.find('\n') + 1) {
+    throw Error(ErrorKind::Read, "Cannot read " + path.string() +
+                                     ": it is no table of a bench; name one that --tsv has made.");
+  }
+  BenchRecord record;
+  record.options = text.substr(2, head - 3);
+  const WholeLines lines = whole_lines(text, head + std::strlen(kHeader), record);
+  if (!lines.stranger.empty()) {
+    throw Error(ErrorKind::Read, "Cannot read " + path.string() + ": line \"" + lines.stranger +
+                                     "\" in it is no run; repair it or measure again.");
+  }
+  return record;
+}
+
+BenchLog::BenchLog(const std::string& options, const std::string& place) : place_(one_field(place)) {
+  record_.options = one_field(options);
+}
+
+BenchLog::BenchLog(const std::filesystem::path& path, const std::string& options, const std::string& place)
+    : path_(path), place_(one_field(place)) {
+  record_.options = one_field(options);
   open();
   try {
-    take_up(read_file(path_, kMostBytes), "# " + one_field(options) + "\n" + kHeader);
+    take_up(read_file(path_, kMostBytes), "# " + record_.options + "\n" + kHeader);
   } catch (...) {
     ::close(file_);
     throw;
@@ -127,17 +176,10 @@ void BenchLog::open() {
 void BenchLog::take_up(const std::string& text, const std::string& head) {
   std::size_t kept = 0;
   if (text.starts_with(head)) {
-    kept = head.size();
-    for (std::size_t end = text.find('\n', kept); end != std::string::npos; end = text.find('\n', kept)) {
-      const std::string line = text.substr(kept, end - kept);
-      const std::optional<BenchRow> row = to_row(line);
-      if (!row && line.starts_with('#')) break;
-      if (!row)
-        refuse(path_, "line \"" + line.substr(0, 60) + "\" in it is no run",
-               "repair it or choose another name");
-      rows_.push_back(*row);
-      kept = end + 1;
-    }
+    const WholeLines lines = whole_lines(text, head.size(), record_);
+    if (!lines.stranger.empty())
+      refuse(path_, "line \"" + lines.stranger + "\" in it is no run", "repair it or choose another name");
+    kept = lines.end;
   } else if (!head.starts_with(text)) {
     refuse(path_, "it is there already and was not measured with these options",
            "choose another name, or the options in its first line");
@@ -148,7 +190,7 @@ void BenchLog::take_up(const std::string& text, const std::string& head) {
 }
 
 bool BenchLog::has(const std::string& folder, const std::string& model, std::int64_t seed) const {
-  return std::any_of(rows_.begin(), rows_.end(), [&](const BenchRow& row) {
+  return std::any_of(record_.rows.begin(), record_.rows.end(), [&](const BenchRow& row) {
     return row.seed == seed && row.model == one_field(model) && row.folder == one_field(folder);
   });
 }
@@ -158,8 +200,12 @@ void BenchLog::add(const BenchRow& row) {
   for (std::string* text : {&kept.folder, &kept.model, &kept.note}) *text = one_field(*text);
   // Figures are made of what can be read in the file, so that they can be checked against it.
   const std::string line = to_line(kept);
+  if (record_.places.empty() || record_.places.back() != place_) {
+    write(kPlace + place_ + "\n");
+    record_.places.push_back(place_);
+  }
   write(line);
-  rows_.push_back(*to_row(line.substr(0, line.size() - 1)));
+  record_.rows.push_back(*to_row(line.substr(0, line.size() - 1)));
 }
 
 void BenchLog::finish(const std::vector<std::string>& summary) {

@@ -31,20 +31,32 @@ struct BenchRow {
   [[nodiscard]] bool was_searched() const { return wall_seconds > 0; }
 };
 
+/// What a bench has measured, and with what.
+struct BenchRecord {
+  std::string options;              ///< of the search, one line
+  std::vector<std::string> places;  ///< machine and build, one line each; several when it was gone on with
+  std::vector<BenchRow> rows;
+};
+
+/// The record in a bench's file; a last row that was cut off is left out. Throws Error(Read) when the file
+/// cannot be read or is no bench.
+BenchRecord read_bench(const std::filesystem::path& path);
+
 class BenchLog {
  public:
-  /// Rows in memory only.
-  BenchLog() = default;
-  /// Opens or makes the file. What it holds is kept when it was measured with the same `options` (one line);
-  /// a last row that was cut off and the summary are dropped. Throws Error(Write) when the file cannot be
-  /// written, was made with other options, is no bench at all, or is being written by another bench.
-  BenchLog(const std::filesystem::path& path, const std::string& options);
+  /// Rows in memory only. `options` and `place` are one line each, see BenchRecord.
+  BenchLog(const std::string& options, const std::string& place);
+  /// Opens or makes the file. What it holds is kept when it was measured with the same `options`, wherever
+  /// that was; a last row that was cut off and the summary are dropped. Throws Error(Write) when the file
+  /// cannot be written, was made with other options, is no bench at all, or is being written by another
+  /// bench.
+  BenchLog(const std::filesystem::path& path, const std::string& options, const std::string& place);
   ~BenchLog();
   BenchLog(const BenchLog&) = delete;
   BenchLog& operator=(const BenchLog&) = delete;
 
   [[nodiscard]] bool has(const std::string& folder, const std::string& model, std::int64_t seed) const;
-  [[nodiscard]] const std::vector<BenchRow>& rows() const { return rows_; }
+  [[nodiscard]] const BenchRecord& record() const { return record_; }
 
   /// Appends one row with one write. Throws Error(Write).
   void add(const BenchRow& row);
@@ -58,7 +70,8 @@ class BenchLog {
 
   std::filesystem::path path_;
   int file_ = -1;
-  std::vector<BenchRow> rows_;
+  std::string place_;  // where the rows to come are measured
+  BenchRecord record_;
 };
 
 }  // namespace netwright

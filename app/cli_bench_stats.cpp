@@ -1,4 +1,4 @@
-// Means, outliers and percentiles.
+// Means, outliers, percentiles and fitted laws.
 #include "app/cli_bench_stats.h"
 
 #include <algorithm>
@@ -21,6 +21,35 @@ double standard_deviation(const std::vector<double>& values, double mean) {
 }
 
 }  // namespace
+
+double PowerLaw::at(double x) const { return factor * std::pow(x, exponent); }
+
+std::optional<PowerLaw> power_fit(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> u;
+  std::vector<double> v;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] <= 0 || y[i] <= 0) continue;
+    u.push_back(std::log(x[i]));
+    v.push_back(std::log(y[i]));
+  }
+  if (u.empty() || std::all_of(u.begin(), u.end(), [&](double value) { return value == u.front(); }))
+    return {};
+  const double mean_u = mean_of(u);
+  const double mean_v = mean_of(v);
+  double products = 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    products += (u[i] - mean_u) * (v[i] - mean_v);
+    squares += (u[i] - mean_u) * (u[i] - mean_u);
+  }
+  const double exponent = products / squares;
+  return PowerLaw{std::exp(mean_v - exponent * mean_u), exponent};
+}
+
+double proportional_fit(const std::vector<double>& x, const std::vector<double>& y) {
+  return std::inner_product(x.begin(), x.end(), y.begin(), 0.0) /
+         std::inner_product(x.begin(), x.end(), x.begin(), 0.0);
+}
 
 double nearest_rank(const std::vector<double>& sorted, double percent) {
   // Multiplied before divided, so that 95 percent of 20 values are 19 and not a hair more.

@@ -40,7 +40,11 @@ constexpr const char* kBenchFooter =
     "With several streams a second table tells the wall-clock time.\n"
     "OUT gets a tab-separated row per run as soon as it is over, and the table as comments at its end. "
     "Stopped\n"
-    "and started again with the same options, bench goes on behind the last whole row in OUT.";
+    "and started again with the same options, bench goes on behind the last whole row in OUT. FOLDER gets a "
+    "page,\n"
+    "index.html, and its plots: times, success and iterations by number of faces, of folders whose models "
+    "have\n"
+    "all nearly as many, with fitted growth, beside the figures of the paper's section 5.1.";
 
 /// How many characters it shows; all of them are one column wide.
 std::size_t width_of(const std::string& text) {
@@ -452,9 +456,7 @@ class Reader {
   void add_bench() {
     bench_app_ = app_.add_subcommand("bench", "Measure the search on many models");
     bench_app_->footer(kBenchFooter);
-    bench_app_->add_option("PATH", bench_paths_, "Model files and folders of them")
-        ->required()
-        ->type_name("");
+    bench_app_->add_option("PATH", bench_paths_, "Model files and folders of them")->type_name("");
     bench_app_->add_option("--seeds", bench_.seeds, "Unfold each model N times, with the seeds 0 to N-1")
         ->type_name("N")
         ->check(within(std::int64_t{1}, std::int64_t{1000000}, "a whole number from 1 to 1000000"))
@@ -462,6 +464,10 @@ class Reader {
     add_search(*bench_app_, bench_, "Longest search of one run in seconds, 0 = none");
     bench_app_->add_option("--tsv", bench_.tsv, "Table of all runs; there already, it is gone on with")
         ->type_name("OUT");
+    bench_app_
+        ->add_option("--report", bench_.report,
+                     "Page with tables and plots beside the paper's; without PATH, of the table in OUT")
+        ->type_name("FOLDER");
   }
 
   /// What unfold and bench have in common; they differ in what is usual.
@@ -520,6 +526,12 @@ class Reader {
   BenchCommand bench() {
     for (const std::string& path : bench_paths_) bench_.paths.emplace_back(path);
     bench_.search = style();
+    if (bench_.paths.empty() && (bench_.tsv.empty() || bench_.report.empty())) {
+      throw Error(
+          ErrorKind::Usage,
+          "Name a PATH with models to measure, or a table with --tsv and a folder with --report to make a "
+          "report of it.");
+    }
     return bench_;
   }
 

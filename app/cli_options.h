@@ -79,13 +79,14 @@ struct InfoCommand {
 };
 
 struct BenchCommand {
-  std::vector<std::filesystem::path> paths;  ///< model files and folders of them
+  std::vector<std::filesystem::path> paths;  ///< model files and folders; none: only report what tsv holds
   std::int64_t seeds = 1;                    ///< each model is unfolded with the seeds 0 … seeds - 1
   double time_limit_s = 60;                  ///< of one run, 0 = none
   int streams = 1;
   int threads = 1;  ///< 0 = as many as there are streams and cores
   SearchStyle search = SearchStyle::Fast;
-  std::filesystem::path tsv;  ///< empty = keep no rows
+  std::filesystem::path tsv;     ///< empty = keep no rows
+  std::filesystem::path report;  ///< folder for a page with plots, empty = none
 };
 
 /// --help and --version: nothing is left to do but to print.

@@ -84,7 +84,8 @@ class BenchCommandLine : public CommandLine {
   void wait_for_rows(std::size_t n) const {
     for (int i = 0; i < 1000; ++i) {
       const std::string text = content(tsv());
-      if (std::count(text.begin(), text.end(), '\n') >= static_cast<std::ptrdiff_t>(n + 2)) return;
+      if (std::count(text.begin(), text.end(), '\n') >= static_cast<std::ptrdiff_t>(n + 3))
+        return;  // three lines above the first
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     FAIL() << "no rows came: " << content(tsv());
@@ -302,6 +303,59 @@ TEST_F(BenchCommandLine, PrintsTheFiguresWithUnits) {
   }
 }
 
+TEST_F(BenchCommandLine, WritesAReport) {
+  write("models/ball.obj", shapes::regular_prism(4));
+  const Ended ended = bench({models_.string(), "--report", at("deep/report")});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("Report: " + at("deep/report/index.html")), std::string::npos) << ended.out;
+  const std::string page = content(at("deep/report/index.html"));
+  EXPECT_NE(page.find("</html>"), std::string::npos);
+  EXPECT_NE(page.find("2, 2 runs"), std::string::npos) << page;
+  EXPECT_TRUE(content(at("deep/report/time.svg")).starts_with("<svg "));
+  EXPECT_TRUE(content(at("deep/report/success.svg")).starts_with("<svg "));
+  EXPECT_TRUE(content(at("deep/report/iterations.svg")).starts_with("<svg "));
+  expect_refusal(bench({models_.string(), "--report", at("models/cube.obj")}), "it is no folder");
+}
+
+TEST_F(BenchCommandLine, MakesTheReportAnewOfItsTableAlone) {
+  EXPECT_EQ(bench({models_.string(), "--seeds", "2", "--report", at("first")}).status, 0);
+  const std::string table = content(tsv());
+  fs::remove_all(models_);
+  const Ended ended = bench({"--report", at("second")});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(content(at("second/index.html")), content(at("first/index.html")));
+  EXPECT_NE(ended.out.find("100 %"), std::string::npos) << ended.out;
+  EXPECT_EQ(content(tsv()), table);
+
+  expect_refusal(bench({}), "--report");
+  write("rows.tsv", std::string("what is this\n"));
+  expect_refusal(bench({"--report", at("third")}), "no table of a bench");
+  write("rows.tsv", table.substr(0, table.find("\n# cpu") + 1) + "what is this\n");
+  expect_refusal(bench({"--report", at("third")}), "what is this");
+  EXPECT_FALSE(fs::exists(at("third")));
+}
+
+TEST_F(BenchCommandLine, NotesMachineAndBuildOnceForEach) {
+  ASSERT_EQ(bench({models_.string()}).status, 0);
+  ASSERT_EQ(bench({models_.string(), "--seeds", "2"}).status, 0);
+  const std::string text = content(tsv());
+  const std::size_t place = text.find("# measured with ");
+  ASSERT_NE(place, std::string::npos) << text;
+  EXPECT_EQ(text.find("# measured with ", place + 1), std::string::npos) << text;
+  const std::string line = text.substr(place, text.find('\n', place) - place);
+  EXPECT_NE(line.find(" thread"), std::string::npos) << line;
+  EXPECT_NE(line.find("netwright-cli"), std::string::npos) << line;
+
+  std::string elsewhere = text;
+  elsewhere.replace(place, line.size(), "# measured with another machine");
+  write("rows.tsv", elsewhere);
+  ASSERT_EQ(bench({models_.string(), "--seeds", "3", "--report", at("report")}).status, 0);
+  EXPECT_EQ(rows().size(), 6U);
+  const std::string page = content(at("report/index.html"));
+  EXPECT_NE(page.find("another machine"), std::string::npos);
+  EXPECT_NE(page.find("netwright-cli 0"), std::string::npos);
+}
+
 TEST_F(BenchCommandLine, MakesAGroupOfEachFolder) {
   fs::create_directories(folder_ / "tiers/b");
   fs::create_directories(folder_ / "tiers/a");
@@ -336,8 +390,8 @@ TEST_F(BenchCommandLine, FindsTheSameOnAnyNumberOfThreads) {
 TEST_F(BenchCommandLine, ExplainsItself) {
   const Ended help = run({"bench", "--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* word :
-       {"--seeds", "--time-limit", "--tsv", "--streams", "--threads", "--search", "nearest rank"}) {
+  for (const char* word : {"--seeds", "--time-limit", "--tsv", "--streams", "--threads", "--search",
+                           "nearest rank", "--report"}) {
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
   }
 }

@@ -1,6 +1,7 @@
 // Means, outliers and percentiles, against figures worked out by hand.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "app/cli_bench_stats.h"
@@ -76,6 +77,37 @@ TEST(BenchStats, CopeWithManyEqualValues) {
   const BenchStats stats = bench_stats(std::vector<double>(1000, 0.1));
   EXPECT_NEAR(stats.mean, 0.1, 1e-12);
   EXPECT_NEAR(stats.filtered_mean, 0.1, 1e-12);
+}
+
+TEST(PowerFit, FindsTheLawThatMadeThePoints) {
+  const auto law =
+      power_fit({100, 200, 400, 800}, {3e-4 * 1e3, 3e-4 * 2828.4271247, 3e-4 * 8e3, 3e-4 * 22627.416998});
+  ASSERT_TRUE(law.has_value());
+  EXPECT_NEAR(law->exponent, 1.5, 1e-9);
+  EXPECT_NEAR(law->factor, 3e-4, 1e-12);
+  EXPECT_NEAR(law->at(400), 2.4, 1e-8);
+}
+
+TEST(PowerFit, TakesTheLineNearestInLogarithms) {
+  // Logarithms to the base 2: (0, 0), (1, 2), (2, 1); the nearest line is 0.5 + 0.5 x.
+  const auto law = power_fit({1, 2, 4}, {1, 4, 2});
+  ASSERT_TRUE(law.has_value());
+  EXPECT_NEAR(law->exponent, 0.5, 1e-12);
+  EXPECT_NEAR(law->factor, std::sqrt(2.0), 1e-12);
+}
+
+TEST(PowerFit, LeavesOutWhatHasNoLogarithm) {
+  const auto law = power_fit({100, 200, 400}, {0, 7, 7});
+  ASSERT_TRUE(law.has_value());
+  EXPECT_NEAR(law->exponent, 0, 1e-12);
+  EXPECT_FALSE(power_fit({}, {}).has_value());
+  EXPECT_FALSE(power_fit({100, 200}, {0, 7}).has_value());
+  EXPECT_FALSE(power_fit({100, 100}, {3, 7}).has_value());
+}
+
+TEST(ProportionalFit, GoesThroughTheOrigin) {
+  EXPECT_DOUBLE_EQ(proportional_fit({1, 2, 3}, {2, 4, 6}), 2);
+  EXPECT_DOUBLE_EQ(proportional_fit({1, 2}, {0, 5}), 2);
 }
 
 }  // namespace

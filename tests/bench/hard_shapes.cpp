@@ -22,21 +22,24 @@ struct Family {
 std::vector<Family> families() {
   using namespace shapes;
   return {
-      {"tubes", {1, 2, 4, 6, 8, 10, 12}, [](int n) { return box_with_tubes(n, n, 2.4 * (2 * n + 1)); }},
-      {"long_tubes", {1, 2, 4, 6, 8, 10}, [](int n) { return box_with_tubes(n, n, 30.0 * n); }},
-      {"short_tubes", {2, 4, 6, 8, 10, 12}, [](int n) { return box_with_tubes(n, n, 1.0); }},
-      {"slots", {2, 4, 8, 16, 32, 64, 128}, [](int n) { return comb(n, 4.0 * n, 0.25); }},
-      {"combs", {2, 4, 8, 16, 32, 64, 128}, [](int n) { return comb(n, 50); }},
-      {"brushes", {2, 4, 6, 8, 10, 14, 18}, [](int n) { return brush(n, n, 10, 0.25); }},
-      {"screws", {1, 2, 4, 8, 16, 32, 64}, [](int n) { return screw(n); }},
-      {"deep_screws", {1, 2, 4, 8, 16, 32, 64}, [](int n) { return screw(n, 12, 4, 0.2); }},
-      {"scaffolds", {1, 2, 3, 4, 5, 6}, [](int n) { return scaffold(n); }},
+      {"tubes", {1, 2, 4, 8, 16, 24}, [](int n) { return box_with_tubes(n, n, 2.4 * (2 * n + 1)); }},
+      {"long_tubes", {1, 2, 4, 8, 16, 24}, [](int n) { return box_with_tubes(n, n, 30.0 * n); }},
+      {"short_tubes", {1, 2, 4, 8, 16, 24}, [](int n) { return box_with_tubes(n, n, 1.0); }},
+      {"slots", {2, 8, 32, 128, 512}, [](int n) { return comb(n, 4.0 * n, 0.25); }},
+      {"combs", {2, 8, 32, 128, 512}, [](int n) { return comb(n, 50); }},
+      {"brushes", {2, 4, 8, 16, 32}, [](int n) { return brush(n, n, 10, 0.25); }},
+      {"screws", {1, 4, 16, 64, 200}, [](int n) { return screw(n); }},
+      {"deep_screws", {1, 4, 16, 64, 200}, [](int n) { return screw(n, 12, 4, 0.2); }},
+      {"scaffolds", {1, 2, 3, 4, 6, 8}, [](int n) { return scaffold(n); }},
       {"menger_sponges", {1, 2}, [](int n) { return menger_sponge(n); }},
-      {"spiky_balls_flat", {1, 2, 3, 4, 6, 8}, [](int n) { return spiky_ball(n, 0.3 / n); }},
-      {"spiky_balls", {1, 2, 3, 4, 6, 8}, [](int n) { return spiky_ball(n, 1.0 / n); }},
-      {"spiky_balls_tall", {1, 2, 3, 4, 6, 8}, [](int n) { return spiky_ball(n, 4.0 / n); }},
-      {"star_spindles", {4, 8, 16, 32, 64, 128}, [](int n) { return star_spindle(n, 0.5, 8); }},
-      {"star_spindles_sharp", {4, 8, 16, 32, 64, 128}, [](int n) { return star_spindle(n, 0.1, 8); }},
+      {"spikes_100", {1, 2, 3, 4, 8, 12}, [](int n) { return spiky_ball(n, 1.0 / n); }},
+      {"spikes_150", {1, 2, 3, 4, 8, 12}, [](int n) { return spiky_ball(n, 1.5 / n); }},
+      {"spikes_200", {1, 2, 3, 4, 8}, [](int n) { return spiky_ball(n, 2.0 / n); }},
+      {"spikes_250", {1, 2, 3, 4, 8}, [](int n) { return spiky_ball(n, 2.5 / n); }},
+      {"spikes_300", {1, 2, 3}, [](int n) { return spiky_ball(n, 3.0 / n); }},
+      {"spikes_400", {1, 2, 3}, [](int n) { return spiky_ball(n, 4.0 / n); }},
+      {"spindles", {4, 16, 64, 256, 1024}, [](int n) { return star_spindle(n, 0.5, 8); }},
+      {"sharp_spindles", {4, 16, 64, 256, 1024}, [](int n) { return star_spindle(n, 0.1, 8); }},
   };
 }
 
@@ -45,7 +48,7 @@ void write(const std::filesystem::path& folder, const Family& family) {
   for (const int size : family.sizes) {
     const PolygonSoup soup = family.make(size);
     std::string number = std::to_string(size);
-    number.insert(0, number.size() < 3 ? 3 - number.size() : 0, '0');
+    number.insert(0, number.size() < 4 ? 4 - number.size() : 0, '0');
     write_file(folder / family.name / (family.name + "_" + number + ".obj"), shapes::to_obj(soup));
     std::printf("%-20s %4d %6d faces\n", family.name.c_str(), size, soup.n_faces());
   }
