@@ -51,7 +51,8 @@ figure { margin: 14px 0; }
 svg { display: block; width: 100%; max-width: 860px; height: auto; margin: 0 auto; }
 figcaption { max-width: 60em; margin: 6px auto 0; color: var(--soft); font-size: 13.5px; }
 @media print { body { padding: 0; background: #fff; font-size: 11px; } table { font-size: 10px; }
-  .card, figure { break-inside: avoid; } h2 { break-after: avoid; } }
+  th, td { padding: 3px 6px; } .size td { padding-top: 7px; } .growth { font-size: 13px; } svg { max-width: 560px; }
+  tr, figure { break-inside: avoid; } h2, .size { break-after: avoid; } }
 </style>
 )";
 
@@ -224,10 +225,9 @@ std::string plots_part(const BenchPlots& plots, const BenchGrowth& growth) {
          figure(
              plots.time,
              "As figure 6 of the paper: mean times without outliers. The band reaches from the shortest time "
-             "to the "
-             "longest; rings are medians, the dashed line through them is their fitted growth. The other "
-             "programs' times are those the paper prints, from the authors' machine and models; the dashed "
-             "line along theirs is the growth they estimate.") +
+             "to the longest; rings are medians, the dashed line through them is their fitted growth. The "
+             "other programs' times are those the paper prints, from the authors' machine and models; the "
+             "dashed line along theirs is the growth they estimate.") +
          figure(plots.success,
                 "As figure 7: runs that end with a net in one piece. Netwright counts proved nets "
                 "only; the paper's programs count their own nets.") +
