@@ -18,6 +18,7 @@
 #include "core/sheet/page_frame.h"
 #include "core/sheet/split_to_fit.h"
 #include "core/sheet/write.h"
+#include "core/solve/prove_impossible.h"
 #include "core/unfold/obstruction.h"
 
 namespace netwright {
@@ -237,6 +238,10 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
   if (result.is_proved) return kDone;
   if (result.isolated_face.is_valid()) {
     complain(isolated_face_sentence(mesh, result.isolated_face));
+    return kImpossible;
+  }
+  if (result.impossible != nullptr) {
+    complain(impossible_sentence(mesh));
     return kImpossible;
   }
   complain(unsolved_sentence(mesh, result, command));

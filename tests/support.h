@@ -69,15 +69,26 @@ inline std::vector<ZooShape> zoo() {
   return all;
 }
 
-/// Every triangle with a hat on it: a raised brim and a tall spike, nine triangles. A hat has no unfolding
+/// How hats look, in terms of the first side of the triangle below.
+struct HatShape {
+  double brim_rise = 0.17;
+  double spike_height = 1.15;
+  int n_hats = 1'000'000;  ///< the first so many triangles get one
+};
+
+/// Triangles with hats on them: a raised brim and a tall spike, nine triangles. A hat has no unfolding
 /// unless cuts lead from one of its three corners to another, and on a closed shape the cuts of one piece
-/// cannot do that for all: there is no net (Bern, Demaine, Eppstein, Kuo, Mantler, Snoeyink, "Ununfoldable
-/// Polyhedra with Convex Faces", 2003).
-inline PolygonSoup with_hats(const PolygonSoup& triangles) {
+/// cannot do that for as many hats as there are corners: there is no net (Bern, Demaine, Eppstein, Kuo,
+/// Mantler, Snoeyink, "Ununfoldable Polyhedra with Convex Faces", 2003).
+inline PolygonSoup with_hats(const PolygonSoup& triangles, const HatShape& shape = {}) {
   PolygonSoup soup;
   soup.name = "hats";
   soup.points = triangles.points;
   for (int f = 0; f < triangles.n_faces(); ++f) {
+    if (f >= shape.n_hats) {
+      soup.add_face(triangles.face(f));
+      continue;
+    }
     std::array<int, 3> corner{};
     std::array<glm::dvec3, 3> p{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -87,9 +98,10 @@ inline PolygonSoup with_hats(const PolygonSoup& triangles) {
     const glm::dvec3 up = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0])) * glm::distance(p[0], p[1]);
     const glm::dvec3 centre = (p[0] + p[1] + p[2]) / 3.0;
     const int brim = static_cast<int>(soup.points.size());
-    for (const glm::dvec3& corner_point : p) soup.points.push_back((corner_point + centre) / 2.0 + 0.17 * up);
+    for (const glm::dvec3& corner_point : p)
+      soup.points.push_back((corner_point + centre) / 2.0 + shape.brim_rise * up);
     const int tip = static_cast<int>(soup.points.size());
-    soup.points.push_back(centre + 1.15 * up);
+    soup.points.push_back(centre + shape.spike_height * up);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const int from = corner[static_cast<std::size_t>(i)];

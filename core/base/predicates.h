@@ -16,6 +16,10 @@ inline constexpr double kProofDepth = 1e-9;
 /// below kSameCorner, so that everything it lets pass is a contact that `settle` can clear.
 inline constexpr double kSolveDepth = 2e-11;
 
+/// An overlap that helps to prove that there is no net is deeper than this, in mean edges: a thousand times
+/// what a net may have, so that no doubtful contact ever stands in a proof, and far below anything paper shows.
+inline constexpr double kImpossibleDepth = 1e-6;
+
 /// Corners of a stored net nearer to each other, or to a foreign edge, than this, in mean edges, touch: above
 /// anything the search lets pass, far below kProofDepth.
 inline constexpr double kSameCorner = 5e-11;

@@ -10,6 +10,7 @@
 #include "core/project/commands.h"
 #include "core/project/session_impl.h"
 #include "core/sheet/write.h"
+#include "core/solve/prove_impossible.h"
 #include "core/unfold/obstruction.h"
 
 namespace netwright {
@@ -47,6 +48,7 @@ std::string good_news_of(const Mesh& mesh, const RunSummary& run) {
 
 std::string unfinished_news(const SolveResult& result, const RunFigures& figures, bool is_timed_out) {
   if (result.isolated_face.is_valid()) return isolated_face_sentence(result.net.mesh(), result.isolated_face);
+  if (result.impossible != nullptr) return impossible_sentence(result.net.mesh());
   if (result.overlaps.empty() && !result.proof.faults.empty())
     return "The search ended, but its net failed the proof: " + result.proof.faults.front() +
            " Try a new seed.";

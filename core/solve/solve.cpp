@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/predicates.h"
 #include "core/solve/portfolio.h"
+#include "core/solve/prove_impossible.h"
 #include "core/solve/showing.h"
 #include "core/solve/tab_room.h"
 #include "core/unfold/obstruction.h"
@@ -18,6 +19,11 @@ namespace {
 // A net that the search claims and the proof refuses is searched for again with other random numbers: the two
 // use different arithmetic, and a contact may sit between their tolerances.
 constexpr int kAttempts = 3;
+
+// Iterations after which it is asked, once, whether there is a net at all; nearly all searches are over long
+// before. Larger models would take too long to ask.
+constexpr std::int64_t kProveAfter = 5000;
+constexpr std::size_t kMostFacesToProve = 1000;
 
 SearchSettings settings(const SolveOptions& options) {
   return options.search == SearchStyle::Paper ? SearchSettings::paper() : SearchSettings::fast();
@@ -62,11 +68,12 @@ class SolveJob {
     for (std::size_t c = 0; c < models_.size(); ++c) {
       Portfolio& portfolio = *portfolios_[c];
       showing.begin(c);
-      while (!result_.isolated_face.is_valid() && !portfolio.is_solved() && !progress_.is_cancelled() &&
+      while (!is_impossible() && !portfolio.is_solved() && !progress_.is_cancelled() &&
              (options_.max_iterations == 0 || portfolio.mark() < options_.max_iterations)) {
         showing.before_round();
         portfolio.advance(options_.max_iterations);
         if (!showing.after_round()) progress_.cancel();
+        if (portfolio.mark() >= kProveAfter && !portfolio.is_solved()) ask_if_possible();
       }
       if (options_.stays_near) portfolio.return_home();
       whole_.set(models_[c], portfolio.stream(portfolio.best()).best_folds());
@@ -77,6 +84,20 @@ class SolveJob {
     result_.overlaps = find_overlaps(result_.net, kShownDepth);
     result_.cpu_seconds += thread_cpu_seconds() - before;
     showing.finish(result_.net, result_.overlaps);
+  }
+
+  [[nodiscard]] bool is_impossible() const {
+    return result_.isolated_face.is_valid() || result_.impossible != nullptr;
+  }
+
+  void ask_if_possible() {
+    if (has_asked_ || dual_->mesh().n_faces() > kMostFacesToProve) return;
+    has_asked_ = true;
+    const double before = thread_cpu_seconds();
+    ProveResult answer = prove_impossible(dual_, {}, progress_);
+    if (answer.answer == ProveAnswer::Proved)
+      result_.impossible = std::make_shared<const ImpossibilityProof>(std::move(answer.proof));
+    result_.cpu_seconds += thread_cpu_seconds() - before;
   }
 
   void make_room_for_tabs() {
@@ -157,6 +178,7 @@ class SolveJob {
   WholeTree whole_;
   std::vector<std::unique_ptr<Portfolio>> portfolios_;
   SolveResult result_;
+  bool has_asked_ = false;  ///< whether there can be a net
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "core/solve/constraints.h"
 #include "core/solve/snapshot.h"
 #include "core/unfold/glue_tabs.h"
+#include "core/unfold/impossibility.h"
 #include "core/unfold/verify.h"
 
 namespace netwright {
@@ -74,6 +75,8 @@ struct SolveResult {
   bool was_cancelled = false;
   FaceId isolated_face;  ///< proves, where it is valid, that no net exists (see unfold/obstruction.h): no
                          ///< search is made
+  /// Proves, where it is there, that no net exists: tried once when a search has taken long.
+  std::shared_ptr<const ImpossibilityProof> impossible;
   VerifyReport proof;
   std::vector<Overlap> overlaps;  ///< what is left, deeper than kShownDepth
   int tabless_before = 0;         ///< with a TabAim: cuts without room for a tab in the first net,
