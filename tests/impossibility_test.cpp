@@ -179,7 +179,7 @@ TEST(Impossibility, HingesAloneProveASpikedTetrahedronToo) {
   std::vector<FaceId> all;
   for (const FaceId f : spiked->mesh().faces()) all.push_back(f);
   const Progress progress;
-  const HingeSearch search = search_hinges(*spiked, all, 2'000'000, progress);
+  const HingeSearch search = search_hinges(*spiked, all, 1, 2'000'000, progress);
   ASSERT_TRUE(search.proof.has_value());
   EXPECT_TRUE(search.proof->regions.empty());
   EXPECT_TRUE(verify_impossible(spiked->mesh(), *search.proof).is_proved);

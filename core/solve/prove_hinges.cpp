@@ -41,9 +41,14 @@ struct Clash {
 
 class Search {
  public:
-  Search(const DualGraph& dual, const std::vector<FaceId>& component, std::int64_t max_steps,
+  Search(const DualGraph& dual, const std::vector<FaceId>& component, int most_trees, std::int64_t max_steps,
          const Progress& progress)
-      : dual_(dual), mesh_(dual.mesh()), faces_(component), max_steps_(max_steps), progress_(progress) {
+      : dual_(dual),
+        mesh_(dual.mesh()),
+        faces_(component),
+        most_trees_(most_trees),
+        max_steps_(max_steps),
+        progress_(progress) {
     IdVector<FaceId, int> local(mesh_.n_faces(), -1);
     for (std::size_t i = 0; i < faces_.size(); ++i) local[faces_[i]] = static_cast<int>(i);
     hinges_of_.resize(faces_.size());
@@ -65,7 +70,9 @@ class Search {
   HingeSearch run() {
     Reason reason(hinges_.size());
     HingeSearch result;
-    if (refute(reason)) result.proof = ImpossibilityProof{{}, writer_.nodes()};
+    result.is_refuted = refute(reason);
+    if (result.is_refuted && most_trees_ == 1) result.proof = ImpossibilityProof{{}, writer_.nodes()};
+    result.is_found = is_found_;
     result.folds = found_;
     result.steps = steps_;
     return result;
@@ -88,7 +95,7 @@ class Search {
   bool refute(Reason& reason) {
     if (++steps_ > max_steps_ || progress_.is_cancelled()) return false;
     label_parts();
-    if (n_parts_ > 1) {
+    if (n_parts_ > most_trees_) {
       writer_.add(Step::Topology);
       reason = reason_of_parting();
       return true;
@@ -101,6 +108,7 @@ class Search {
       if (const Clash clash = clash_of(h); clash.a >= 0) return cut_clash(h, clash, reason);
     }
     if (!is_open) {
+      is_found_ = true;
       for (const Hinge& hinge : hinges_)
         if (hinge.choice == Choice::Fold) found_.push_back(mesh_.edge(hinge.halfedge));
       return false;
@@ -253,8 +261,14 @@ class Search {
     }
   }
 
-  /// The cuts around the part that has fewest.
+  /// The cuts around the part that has fewest; those around all where several parts are allowed.
   [[nodiscard]] Reason reason_of_parting() const {
+    Reason reason(hinges_.size());
+    if (most_trees_ > 1) {
+      for (std::size_t h = 0; h < hinges_.size(); ++h)
+        if (at(part_, hinges_[h].a) != at(part_, hinges_[h].b)) reason.add(h);
+      return reason;
+    }
     std::vector<int> n_cuts(static_cast<std::size_t>(n_parts_), 0);
     for (const Hinge& hinge : hinges_) {
       if (at(part_, hinge.a) == at(part_, hinge.b)) continue;
@@ -262,7 +276,6 @@ class Search {
       ++n_cuts[static_cast<std::size_t>(at(part_, hinge.b))];
     }
     const auto fewest = static_cast<int>(std::min_element(n_cuts.begin(), n_cuts.end()) - n_cuts.begin());
-    Reason reason(hinges_.size());
     for (std::size_t h = 0; h < hinges_.size(); ++h)
       if ((at(part_, hinges_[h].a) == fewest) != (at(part_, hinges_[h].b) == fewest)) reason.add(h);
     return reason;
@@ -326,6 +339,7 @@ class Search {
   const DualGraph& dual_;
   const Mesh& mesh_;
   const std::vector<FaceId>& faces_;
+  int most_trees_;
   std::int64_t max_steps_;
   const Progress& progress_;
   double depth_ = 0;
@@ -339,6 +353,7 @@ class Search {
   std::vector<int> part_;
   int n_parts_ = 0;
   ProofWriter writer_;
+  bool is_found_ = false;
   std::vector<EdgeId> found_;
   std::int64_t next_stamp_ = 0;
   std::int64_t steps_ = 0;
@@ -346,9 +361,9 @@ class Search {
 
 }  // namespace
 
-HingeSearch search_hinges(const DualGraph& dual, const std::vector<FaceId>& component, std::int64_t max_steps,
-                          const Progress& progress) {
-  return Search(dual, component, max_steps, progress).run();
+HingeSearch search_hinges(const DualGraph& dual, const std::vector<FaceId>& component, int most_trees,
+                          std::int64_t max_steps, const Progress& progress) {
+  return Search(dual, component, most_trees, max_steps, progress).run();
 }
 
 }  // namespace netwright

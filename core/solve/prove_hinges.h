@@ -11,13 +11,16 @@
 namespace netwright {
 
 struct HingeSearch {
-  std::optional<ImpossibilityProof> proof;  ///< no tree of the component is without overlap
-  std::vector<EdgeId> folds;                ///< of a tree without overlap deep enough for a proof; or empty
+  bool is_refuted = false;  ///< no forest of so few trees is without overlap
+  bool is_found = false;    ///< one is, but for overlaps too shallow for a proof; its folds:
+  std::vector<EdgeId> folds;
+  std::optional<ImpossibilityProof> proof;  ///< when refuted for a single tree
   std::int64_t steps = 0;
 };
 
-/// Neither proof nor folds after `max_steps` or when cancelled. The same answer every time.
-HingeSearch search_hinges(const DualGraph& dual, const std::vector<FaceId>& component, std::int64_t max_steps,
-                          const Progress& progress);
+/// Looks for a forest of at most `most_trees` trees on a component. Neither refuted nor found after
+/// `max_steps` or when cancelled. The same answer every time.
+HingeSearch search_hinges(const DualGraph& dual, const std::vector<FaceId>& component, int most_trees,
+                          std::int64_t max_steps, const Progress& progress);
 
 }  // namespace netwright

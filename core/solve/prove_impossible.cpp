@@ -28,15 +28,14 @@ void search_every_hinge(const std::shared_ptr<const DualGraph>& dual, const Prov
   IdVector<EdgeId, char> is_fold(mesh.n_edges(), 0);
   bool is_complete = true;
   for (const std::vector<FaceId>& component : components(mesh)) {
-    if (component.size() == 1) continue;
     if (component.size() > limits.hinge_faces) {
       is_complete = false;
       continue;
     }
-    HingeSearch search = search_hinges(*dual, component, limits.hinge_steps, progress);
+    HingeSearch search = search_hinges(*dual, component, 1, limits.hinge_steps, progress);
     result.hinge_steps += search.steps;
     if (search.proof && take_proof(mesh, std::move(*search.proof), result)) return;
-    is_complete &= !search.folds.empty();
+    is_complete &= search.is_found;
     for (const EdgeId e : search.folds) is_fold[e] = 1;
   }
   if (!is_complete) return;

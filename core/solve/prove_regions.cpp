@@ -77,30 +77,6 @@ int forced_parts(const Region& region) {
   return fewest - 1;
 }
 
-/// Regions that no net leaves whole, none sharing a face with another; those that force most first.
-std::vector<Region> telling_regions(const DualGraph& dual, const Progress& progress) {
-  std::vector<Region> all;
-  for (std::vector<FaceId>& faces : candidates(dual)) {
-    if (progress.is_cancelled()) return {};
-    std::int64_t steps = kRegionSteps;
-    if (auto region = region_joins(dual, std::move(faces), steps); region && forced_parts(*region) > 0)
-      all.push_back(std::move(*region));
-  }
-  std::stable_sort(all.begin(), all.end(), [](const Region& a, const Region& b) {
-    const int more = forced_parts(a) - forced_parts(b);
-    return more != 0 ? more > 0 : a.faces.size() < b.faces.size();
-  });
-  std::vector<Region> chosen;
-  IdVector<FaceId, char> is_taken(dual.mesh().n_faces(), 0);
-  for (Region& region : all) {
-    if (std::any_of(region.faces.begin(), region.faces.end(), [&](FaceId f) { return is_taken[f] != 0; }))
-      continue;
-    for (const FaceId f : region.faces) is_taken[f] = 1;
-    chosen.push_back(std::move(region));
-  }
-  return chosen;
-}
-
 class Search {
  public:
   Search(const Mesh& mesh, std::vector<Region> regions, std::int64_t max_steps, const Progress& progress)
@@ -267,6 +243,50 @@ class Search {
 };
 
 }  // namespace
+
+std::vector<Region> telling_regions(const DualGraph& dual, const Progress& progress) {
+  std::vector<Region> all;
+  for (std::vector<FaceId>& faces : candidates(dual)) {
+    if (progress.is_cancelled()) return {};
+    std::int64_t steps = kRegionSteps;
+    if (auto region = region_joins(dual, std::move(faces), steps); region && forced_parts(*region) > 0)
+      all.push_back(std::move(*region));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Region& a, const Region& b) {
+    const int more = forced_parts(a) - forced_parts(b);
+    return more != 0 ? more > 0 : a.faces.size() < b.faces.size();
+  });
+  std::vector<Region> chosen;
+  IdVector<FaceId, char> is_taken(dual.mesh().n_faces(), 0);
+  for (Region& region : all) {
+    if (std::any_of(region.faces.begin(), region.faces.end(), [&](FaceId f) { return is_taken[f] != 0; }))
+      continue;
+    for (const FaceId f : region.faces) is_taken[f] = 1;
+    chosen.push_back(std::move(region));
+  }
+  return chosen;
+}
+
+int least_pieces(const Mesh& mesh, const std::vector<Region>& telling) {
+  IdVector<FaceId, int> region_of(mesh.n_faces(), -1);
+  int n_outside = static_cast<int>(mesh.n_faces());
+  for (std::size_t r = 0; r < telling.size(); ++r)
+    for (const FaceId f : telling[r].faces) {
+      region_of[f] = static_cast<int>(r);
+      --n_outside;
+    }
+  // Folds outside the regions close no loop, even where all trees in the regions are taken apart.
+  DisjointSets sets(mesh.n_faces());
+  int most_folds = 0;
+  for (const EdgeId e : mesh.edges()) {
+    if (mesh.is_border(e)) continue;
+    const FaceId f = mesh.face(mesh.halfedge(e));
+    const FaceId g = mesh.neighbour(mesh.halfedge(e));
+    if (region_of[f] < 0 || region_of[f] != region_of[g]) most_folds += sets.join(f.value, g.value) ? 1 : 0;
+  }
+  return std::max(static_cast<int>(mesh.n_components()),
+                  2 * static_cast<int>(telling.size()) + n_outside - most_folds);
+}
 
 std::optional<ImpossibilityProof> search_regions(const DualGraph& dual, std::int64_t max_steps,
                                                  const Progress& progress) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/mesh/dual_graph.h"
@@ -15,6 +16,14 @@ namespace netwright {
 /// when they are too many to try. `steps` counts down.
 std::optional<ImpossibilityProof::Region> region_joins(const DualGraph& dual, std::vector<FaceId> faces,
                                                        std::int64_t& steps);
+
+/// Regions that no net leaves whole, none sharing a face with another; those that force most parts first.
+/// Empty when cancelled.
+std::vector<ImpossibilityProof::Region> telling_regions(const DualGraph& dual, const Progress& progress);
+
+/// At least so many pieces does every net of the whole mesh have: each telling region falls into two trees or
+/// more, and there are only so many hinges outside of them to join these with.
+int least_pieces(const Mesh& mesh, const std::vector<ImpossibilityProof::Region>& telling);
 
 /// Nothing after `max_steps`, when cancelled, or when the regions allow a net. The same answer every time.
 std::optional<ImpossibilityProof> search_regions(const DualGraph& dual, std::int64_t max_steps,
