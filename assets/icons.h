@@ -92,6 +92,7 @@ inline constexpr const char* kTime = "\uf51b";           // timer
 inline constexpr const char* kWorking = "\uf51f";        // timer-sand
 inline constexpr const char* kRestart = "\uf06a";        // autorenew
 inline constexpr const char* kFlag = "\uf23c";           // flag-checkered
+inline constexpr const char* kFire = "\uf238";           // fire
 inline constexpr const char* kHint = "\uf336";           // lightbulb-outline
 
 }  // namespace netwright::icon

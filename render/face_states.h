@@ -16,6 +16,8 @@ enum class FaceState : std::uint8_t {
   Selected = 8,     ///< green outline
   Chosen = 16,      ///< the face a move starts from
   Climbed = 32,     ///< on the path the move climbed
+  Warm = 64,        ///< how often in collision: seldom,
+  Hot = 128,        ///< often, and with Warm most often
 };
 
 class FaceStates {

@@ -208,6 +208,9 @@ void MeshRenderer::draw_faces(const OrbitCamera& camera, const Palette& palette,
   shader_.set("hover", palette.hover);
   shader_.set("chosen", palette.chosen);
   shader_.set("climbed", palette.climbed);
+  shader_.set("seldom", palette.heat[0]);
+  shader_.set("often", palette.heat[1]);
+  shader_.set("most", palette.heat[2]);
   shader_.set("shows_materials", look.shows_materials ? 1 : 0);
   shader_.set("hatch", palette.overlap_hatch);
   const glm::dvec3 target = camera.project(camera.target());

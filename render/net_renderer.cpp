@@ -219,6 +219,9 @@ void NetRenderer::draw_faces(const PanZoomCamera& camera, const Palette& palette
   shader_.set("hover", palette.hover);
   shader_.set("chosen", palette.chosen);
   shader_.set("climbed", palette.climbed);
+  shader_.set("seldom", palette.heat[0]);
+  shader_.set("often", palette.heat[1]);
+  shader_.set("most", palette.heat[2]);
   shader_.set("hatch", palette.overlap_hatch);
   const glm::dvec2 origin = camera.to_pixel({0, 0});
   shader_.set("hatch_origin", glm::vec2(origin.x, camera.size_px().y - origin.y));

@@ -15,6 +15,7 @@ Palette meanings() {
   p.selection = rgb(0x18A058);
   p.chosen = rgb(0xC026D3, 0.62F);
   p.climbed = rgb(0xE879F9, 0.28F);
+  p.heat = {rgb(0xFBD38A, 0.9F), rgb(0xDD5A7F, 0.9F), rgb(0x5A1B73, 0.9F)};
   p.candidate = rgb(0xD61FD6);
   p.pinned_fold = rgb(0x0F9D6B);
   p.pinned_cut = rgb(0xE07A00);

@@ -1,6 +1,7 @@
 // Every colour of the two views, for the light and the dark theme. What a colour means is the same in both.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec4.hpp>
 
@@ -48,7 +49,9 @@ struct Palette {
   Colour selection;   ///< outline
   Colour chosen;      ///< the face a move starts from
   Colour climbed;     ///< the path climbed by a move
-  Colour candidate;   ///< cuts the climb could have turned into folds
+  /// Seldom, often and most often in collision: ever darker, so that lightness alone tells them apart.
+  std::array<Colour, 3> heat;
+  Colour candidate;  ///< cuts the climb could have turned into folds
   Colour pinned_fold;
   Colour pinned_cut;
   Colour patch;    ///< outline of faces that stay together

@@ -15,6 +15,9 @@ uniform vec4 overlap;
 uniform vec4 hover;
 uniform vec4 chosen;
 uniform vec4 climbed;
+uniform vec4 seldom;  // in collision
+uniform vec4 often;
+uniform vec4 most;
 uniform int shows_materials;
 uniform float opacity;
 uniform usampler2D states;
@@ -41,12 +44,18 @@ void main() {
   vec3 colour = has_material ? material.rgb : paper.rgb;
   float mark = 0.0;
   if ((state & 32u) != 0u) { colour = mix(colour, climbed.rgb, climbed.a); mark = 1.0; }
+  uint heat = state >> 6;
+  if (heat != 0u) {
+    vec4 tint = heat == 1u ? seldom : heat == 2u ? often : most;
+    colour = mix(colour, tint.rgb, tint.a);
+    mark = 1.0;
+  }
   // The face a move starts from overlaps nearly always; red under its own colour would hide which it is.
   if ((state & 20u) == 4u) { colour = mix(colour, overlap.rgb, overlap.a); mark = 1.0; }
   if ((state & 16u) != 0u) { colour = mix(colour, chosen.rgb, chosen.a); mark = 1.0; }
   if ((state & 2u) != 0u) { colour = mix(colour, root.rgb, root.a); mark = 1.0; }
   // Blue over a strong fill turns it brown; there the hover lightens.
-  if ((state & 1u) != 0u) colour = mix(colour, (state & 22u) != 0u ? vec3(1.0) : hover.rgb, hover.a);
+  if ((state & 1u) != 0u) colour = mix(colour, (state & 214u) != 0u ? vec3(1.0) : hover.rgb, hover.a);
   vec3 n = mat3(view_from_world) * normal;
   front = shade(colour, n);
   back = shade(mark > 0.0 ? colour : paper_back.rgb, -n);

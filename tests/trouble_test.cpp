@@ -157,7 +157,7 @@ TEST(Trouble, TellsPinsInWords) {
   const auto dual = make_dual(shapes::cube());
   const Mesh& mesh = dual->mesh();
   const HalfedgeId h = mesh.first(FaceId(2));
-  const FaceNumber number = [](FaceId f) { return f.value + 1; };
+  const NumberOfFace number = [](FaceId f) { return f.value + 1; };
   const std::vector<Pin> pins{{Pin::Kind::MustFold, mesh.edge(h), {}},
                               {Pin::Kind::Patch, {}, {FaceId(3), FaceId(4)}}};
   const std::string words = pins_words(mesh, pins, number);

@@ -295,6 +295,28 @@ void align(UiContext& c) {
   align_chosen(c, Where);
 }
 
+std::string needs_failure(const UiContext& c) {
+  return c.session.trouble() == nullptr ? "No search has ended without a net." : "";
+}
+
+std::string needs_pins_to_try(const UiContext& c) {
+  if (c.session.trouble() == nullptr) return "No search has ended without a net.";
+  if (c.session.project().pins.are_free()) return "Nothing is pinned.";
+  return c.session.trial() != nullptr ? "Something is being tried already." : "";
+}
+
+void ask_why(UiContext& c) {
+  c.ui.settings.is_side_open = true;
+  c.ui.settings.is_open(Section::Why) = true;
+  c.ui.settings.show_heat = true;
+}
+
+void find_releases_of_pins(UiContext& c) {
+  c.ui.settings.is_side_open = true;
+  c.ui.settings.is_open(Section::Why) = true;
+  c.session.look_for_releases();
+}
+
 template <bool Settings::*Flag>
 void toggle(UiContext& c) {
   c.ui.settings.*Flag = !(c.ui.settings.*Flag);
@@ -378,6 +400,10 @@ const auto kActions = std::to_array<Action>({
     {ActionId::UnfoldFromHere, "Unfold from here", icon::kReplay, {kSpaceKey, kShiftBit},
      "Starts from the net as it is and changes only what overlaps and pins ask for", needs_still_net,
      [](UiContext& c) { c.session.unfold_from_here(); }, nullptr, rest_label},
+    {ActionId::AskWhy, "Why?", icon::kHelp, {}, "Shows where the search was stuck, and what can be done",
+     needs_failure, ask_why, nullptr, nullptr},
+    {ActionId::FindReleases, "Find pins to release", icon::kUnpin, {},
+     "Tries which pins stand in the way of a net", needs_pins_to_try, find_releases_of_pins, nullptr, nullptr},
     {ActionId::MakeRoomForTabs, "Make room for tabs", "", {},
      "Searches on from this net until every cut has room for a glue tab", why_no_room_for_tabs, make_room_for_tabs,
      nullptr, nullptr},
@@ -471,6 +497,9 @@ const auto kActions = std::to_array<Action>({
      toggle<&Settings::show_tree>, is_set<&Settings::show_tree>, nullptr},
     {ActionId::ToggleOverlaps, "Overlaps", icon::kWarning, {'O', 0}, "Marks the faces that overlap", always,
      toggle<&Settings::show_overlaps>, is_set<&Settings::show_overlaps>, nullptr},
+    {ActionId::ToggleHeat, "Heat map", icon::kFire, {'O', kShiftBit},
+     "Colours the faces by how often they collided in a search that found no net", needs_failure,
+     toggle<&Settings::show_heat>, is_set<&Settings::show_heat>, nullptr},
     {ActionId::ToggleRoot, "Root", icon::kRoot, {}, "Marks the face where the tree starts", always,
      toggle<&Settings::show_root>, is_set<&Settings::show_root>, nullptr},
     {ActionId::TogglePages, "Pages", icon::kLayers, {'P', 0}, "Lays the finished net on its paper", always,

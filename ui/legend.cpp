@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/heat.h"
 #include "ui/view_parts.h"
 
 namespace netwright {
@@ -38,6 +39,12 @@ std::vector<Entry> entries_of(const UiContext& context, const ShownNet& shown) {
   const Palette& p = palette_of(ui);
   const bool is_stepping = !shown.climbed.empty();
   std::vector<Entry> entries;
+  if (shows_heat(context)) {
+    entries.push_back({"seldom", Mark::Fill, p.heat[0]});
+    entries.push_back({"often", Mark::Fill, p.heat[1]});
+    entries.push_back({"most in collision", Mark::Fill, p.heat[2]});
+    entries.push_back({"over 360°", Mark::Dot, Colour(glm::vec3(p.overlap), 1)});
+  }
   if (is_stepping) {
     if (shown.last_move) entries.push_back({"chosen", Mark::Fill, p.chosen});
     entries.push_back({"climb", Mark::Line, Colour(glm::vec3(p.chosen), 1)});
@@ -52,7 +59,7 @@ std::vector<Entry> entries_of(const UiContext& context, const ShownNet& shown) {
     add_pins(context.session.project().pins, p, entries);
   }
   // Where room runs out the last ones go: tree and root have switches of their own that say what they are.
-  if (ui.settings.show_overlaps && !shown.overlaps.empty())
+  if (ui.settings.show_overlaps && !shown.overlaps.empty() && !shows_heat(context))
     entries.push_back({"overlap", Mark::Hatch, p.overlap});
   if (ui.settings.show_pages && context.session.misplaced() != nullptr)
     entries.push_back({"misplaced", Mark::Hatch, p.overlap});

@@ -111,9 +111,9 @@ void view_menu(UiContext& context) {
   for (const ActionId id : {ActionId::PlayFold, ActionId::FoldLess, ActionId::FoldMore, ActionId::Measure})
     entry(context, id);
   ImGui::Separator();
-  for (const ActionId id :
-       {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
-        ActionId::TogglePages, ActionId::ToggleTabs, ActionId::ToggleXray, ActionId::ToggleNumbers}) {
+  for (const ActionId id : {ActionId::ToggleTextures, ActionId::ToggleTree, ActionId::ToggleOverlaps,
+                            ActionId::ToggleHeat, ActionId::ToggleRoot, ActionId::TogglePages,
+                            ActionId::ToggleTabs, ActionId::ToggleXray, ActionId::ToggleNumbers}) {
     entry(context, id);
   }
   ImGui::Separator();
@@ -198,6 +198,8 @@ float draw_menu_bar(UiContext& context) {
                          ActionId::NewSeed, ActionId::SkipReplay});
     ImGui::Separator();
     plain_menu(context, {ActionId::JoinAndCut, ActionId::MakeRoomForTabs});
+    ImGui::Separator();
+    plain_menu(context, {ActionId::AskWhy, ActionId::FindReleases});
     ImGui::Separator();
     plain_menu(context, {ActionId::PinRoot, ActionId::MustFold, ActionId::MustCut, ActionId::KeepTogether,
                          ActionId::ClearPins, ActionId::ClearAllPins});

@@ -20,6 +20,8 @@ void panel_faces(UiContext& context);
 void panel_solve(UiContext& context);
 /// Part of the search's section; nothing where nothing is pinned.
 void panel_pins(UiContext& context);
+/// Why a search found no single piece, and what can be done; nothing while there is nothing to tell.
+void panel_why(UiContext& context);
 void panel_runs(UiContext& context);
 void panel_tabs(UiContext& context);
 void panel_paper(UiContext& context);

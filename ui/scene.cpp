@@ -6,6 +6,7 @@
 #include "core/sheet/pages.h"
 #include "ui/arranging.h"
 #include "ui/desk.h"
+#include "ui/heat.h"
 #include "ui/lit.h"
 #include "ui/measure.h"
 #include "ui/overlay.h"
@@ -213,7 +214,8 @@ void Scene::mark_faces(const UiContext& context) {
     }
   }
   if (shown_ == nullptr) return;
-  if (ui.settings.show_overlaps) {
+  mark_heat(context, states_);
+  if (ui.settings.show_overlaps && !shows_heat(context)) {
     for (std::size_t f = 0; f < shown_->is_overlapping.size(); ++f) {
       if (shown_->is_overlapping[f]) states_.add(FaceId(f), FaceState::Overlapping);
     }
@@ -279,6 +281,7 @@ void Scene::take_pose(const UiContext& context, Renderers& renderers) {
   renderers.mesh.set_pose(folded_.corners(), folded_.version(), kinds, version_);
   OverlayLines lines = overlay_of(context.ui, pose(), drawn, kinds, context.session.project().pins,
                                   context.session.contradiction());
+  add_excess_points(context, pose(), drawn, lines);
   add_measure(context.ui.measuring, *dual_, pose(), drawn, lines);
   if (drawn != nullptr) add_arranging(context, *drawn, lines);
   if (drawn != nullptr) add_tab_tool(context, *drawn, lines);

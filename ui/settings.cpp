@@ -17,18 +17,20 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kThemeNames{"system", "light", "dark"};
 constexpr std::array<std::string_view, 2> kUnitNames{"mm", "in"};
-constexpr std::array<std::string_view, kSections> kSectionNames{
-    "model", "solve", "runs", "tabs", "paper", "print", "export", "check", "assembly", "history", "overlaps"};
+constexpr std::array<std::string_view, kSections> kSectionNames{"model", "solve",    "why",     "runs",
+                                                                "tabs",  "paper",    "print",   "export",
+                                                                "check", "assembly", "history", "overlaps"};
 constexpr std::array<std::string_view, kFirstHints> kHintNames{"views", "runs"};
 
 struct Flag {
   std::string_view key;
   bool Settings::*value;
 };
-constexpr std::array<Flag, 11> kFlags{Flag{"side_panel", &Settings::is_side_open},
+constexpr std::array<Flag, 12> kFlags{Flag{"side_panel", &Settings::is_side_open},
                                       Flag{"show_tree", &Settings::show_tree},
                                       Flag{"show_overlaps", &Settings::show_overlaps},
                                       Flag{"show_root", &Settings::show_root},
+                                      Flag{"show_heat", &Settings::show_heat},
                                       Flag{"show_pages", &Settings::show_pages},
                                       Flag{"show_tabs", &Settings::show_tabs},
                                       Flag{"show_numbers", &Settings::show_numbers},

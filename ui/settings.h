@@ -14,8 +14,21 @@
 namespace netwright {
 
 /// The sections of the side panel.
-enum class Section { Model, Solve, Runs, Tabs, Paper, Print, Export, Check, Assembly, History, Overlaps };
-inline constexpr std::size_t kSections = 11;
+enum class Section {
+  Model,
+  Solve,
+  Why,
+  Runs,
+  Tabs,
+  Paper,
+  Print,
+  Export,
+  Check,
+  Assembly,
+  History,
+  Overlaps
+};
+inline constexpr std::size_t kSections = 12;
 
 /// Hints for people who are new here; each goes away for good once it was closed or has done its work.
 enum class FirstHint { Views, Runs };
@@ -36,13 +49,14 @@ struct Settings {
   bool show_tree = true;
   bool show_overlaps = true;
   bool show_root = true;
+  bool show_heat = false;  ///< how often faces were in collision, after a search without a net
   bool show_pages = true;
   bool show_tabs = true;
   bool is_xray = false;       ///< the model is seen through
   bool show_numbers = false;  ///< of faces and edges, in the net
   bool show_textures = true;
-  std::array<bool, kSections> open_sections{false, true,  true,  false, true, false,
-                                            false, false, false, false, false};
+  std::array<bool, kSections> open_sections{false, true,  true,  true,  false, true,
+                                            false, false, false, false, false, false};
   std::array<bool, kFirstHints> hints_done{};
   int window_width = 0;  ///< of the real window, in screen units; 0 = never seen
   int window_height = 0;

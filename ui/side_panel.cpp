@@ -73,6 +73,8 @@ std::string overlaps_summary(const UiContext& c) {
   return shown == nullptr ? "" : grouped(static_cast<std::int64_t>(shown->overlaps.size()));
 }
 
+std::string no_summary(const UiContext& /*c*/) { return {}; }
+
 /// A net without overlaps needs no list of them; the section is the last, so that it may come and go.
 bool has_overlaps(const UiContext& c) {
   const auto shown = c.session.shown();
@@ -97,6 +99,7 @@ struct SectionLine {
 };
 
 constexpr std::array<SectionLine, kSections> kSectionLines{
+    SectionLine{Section::Why, "Why not one piece?", no_summary, panel_why},
     SectionLine{Section::Model, "Model", model_summary, panel_model},
     SectionLine{Section::Solve, "Solve", solve_summary, panel_solve},
     SectionLine{Section::Runs, "Runs", runs_summary, panel_runs},
@@ -123,6 +126,7 @@ void side_panel(UiContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.look.px(8), 0));
   for (const SectionLine& line : kSectionLines) {
     if (line.section == Section::Overlaps && !has_overlaps(context)) continue;
+    if (line.section == Section::Why && context.session.trouble() == nullptr) continue;
     bool& is_open = ui.settings.is_open(line.section);
     if (section_header(ui, line.title, line.summary(context), is_open)) is_open = !is_open;
     if (is_open) {

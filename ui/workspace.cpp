@@ -14,6 +14,7 @@
 #include "ui/replacing.h"
 #include "ui/size_bar.h"
 #include "ui/unrepaired_bar.h"
+#include "ui/why_bar.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -118,6 +119,11 @@ void Workspace::draw_views(UiContext& context, ImVec2 min, ImVec2 size) {
   if (const float bar = unrepaired_bar_height(context, size.x); bar > 0) {
     area("##unrepaired", min, ImVec2(size.x, bar), ImVec2(0, 0), false,
          [&] { draw_unrepaired_bar(context); });
+    min.y += bar;
+    size.y -= bar;
+  }
+  if (const float bar = why_bar_height(context, size.x); bar > 0) {
+    area("##why", min, ImVec2(size.x, bar), ImVec2(0, 0), false, [&] { draw_why_bar(context); });
     min.y += bar;
     size.y -= bar;
   }

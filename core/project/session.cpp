@@ -57,6 +57,7 @@ void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const Unfo
   is_timed_out = false;
   step_of_run.reset();
   leave_view();
+  stop_trial();
   run.reset();  // its job is told to end before the new one is queued
   run = std::make_unique<SearchRun>(worker, project().dual, options, bell, start, speed, clock());
 }

@@ -25,6 +25,7 @@
 #include "core/sheet/pages.h"
 #include "core/sheet/sheet.h"
 #include "core/solve/solve.h"
+#include "core/solve/trouble.h"
 #include "core/unfold/hand_edits.h"
 
 namespace netwright {
@@ -171,6 +172,20 @@ class Session {
   [[nodiscard]] double time_limit() const;
   /// How many threads run the streams, from the next run on; 0 = all the machine has. Never decides the net.
   void set_threads(int threads);
+
+  // When a search has ended without a net.
+  /// Why, as far as the search tells; null unless its best is shown.
+  [[nodiscard]] std::shared_ptr<const Trouble> trouble() const;
+  /// Tries on the search's lane which pins stand in the way (see find_releases); a search ends it.
+  void look_for_releases();
+  /// What came of it; null before and when other pins were set since.
+  [[nodiscard]] std::shared_ptr<const Releases> releases() const;
+  /// How far something is that is tried after a search without a net; null when nothing is.
+  [[nodiscard]] std::shared_ptr<const Progress> trial() const;
+  void stop_trial();
+  /// Takes these pins back, also where they are edges joined or cut by hand, and unfolds again; one undo
+  /// step.
+  void release(const std::vector<Pin>& pins);
 
   // Finished runs of the present mesh. Looking at one changes nothing; taking its net is one undo step.
   [[nodiscard]] std::vector<RunList::Entry> runs() const;  ///< oldest first

@@ -101,6 +101,16 @@ struct Session::Impl {
     [[nodiscard]] int at() const { return static_cast<int>(position); }
   };
 
+  /// A search that ended without a net, and what was tried since.
+  struct Failed {
+    std::shared_ptr<const DualGraph> dual;
+    Constraints pins;   ///< the project's then,
+    Constraints edits;  ///< likewise
+    SolveOptions options;
+    std::shared_ptr<const Trouble> trouble;
+    std::shared_ptr<const Releases> releases;
+  };
+
   explicit Impl(Clock clock_function);
   ~Impl();
 
@@ -123,7 +133,12 @@ struct Session::Impl {
   void watch_clock();
   void finish_run(const SearchRun::Outcome& outcome);
   void accept(const SolveResult& result, const RunSummary& summary);
-  void show_unfinished(const SolveResult& result);
+  void show_unfinished(const SolveResult& result, const SolveOptions& options);
+  // What is tried after that (session_why.cpp).
+  [[nodiscard]] const Failed* failure() const;  ///< null unless its best is shown
+  [[nodiscard]] bool has_pins_of(const Failed& failure) const;
+  bool take_releases();
+  void stop_trial();
   void start_replay(const SearchRun::Outcome& outcome);
   void end_replay();
 
@@ -195,6 +210,7 @@ struct Session::Impl {
   std::shared_ptr<const ShownNet> moving;   ///< the picture of the run or the replay that goes on
   std::shared_ptr<const ShownNet> settled;  ///< what stays when nothing runs
   bool is_unfinished = false;               ///< `settled` is the best of a run that wasn't proved
+  std::optional<Failed> failed_run;         ///< that run
   std::optional<RunFigures> last_figures;   ///< of the run that led to `settled`
   std::shared_ptr<const Derived> derived;
   std::optional<Contradiction> contradiction;  ///< of these pins,
@@ -226,6 +242,7 @@ struct Session::Impl {
   std::shared_ptr<Deriving> deriving;
   std::vector<std::shared_ptr<Chore<Message>>> exports;
   std::shared_ptr<Chore<Split>> splitting;
+  std::shared_ptr<Chore<Releases>> releasing;
   std::shared_ptr<Chore<std::vector<std::string>>> searching_printers;
   std::shared_ptr<const std::vector<std::string>> printers;
 

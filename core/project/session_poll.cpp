@@ -256,7 +256,7 @@ void Session::Impl::finish_run(const SearchRun::Outcome& outcome) {
   }
   keep_run(outcome, summary);
   if (!result.is_proved) {
-    show_unfinished(result);
+    show_unfinished(result, ended->options());
     return;
   }
   accept(result, summary);
@@ -286,8 +286,14 @@ void Session::Impl::accept(const SolveResult& result, const RunSummary& summary)
   keeper.hurry();
 }
 
-void Session::Impl::show_unfinished(const SolveResult& result) {
+void Session::Impl::show_unfinished(const SolveResult& result, const SolveOptions& options) {
   is_unfinished = true;
+  failed_run = Failed{project().dual,
+                      project().pins,
+                      project().edits,
+                      options,
+                      std::make_shared<const Trouble>(find_trouble(result)),
+                      nullptr};
   settled = stamp(std::make_shared<ShownNet>(
       make_shown_net(layout(project().dual, result.net.tree), result.overlaps, false)));
   say(Message::Kind::Notice, unfinished_news(result, *last_figures, is_timed_out));
@@ -371,6 +377,7 @@ bool Session::Impl::poll() {
   has_changed |= take_derived();
   has_changed |= take_exports();
   has_changed |= take_split();
+  has_changed |= take_releases();
   has_changed |= take_printers();
   has_changed |= take_leftovers();
   has_changed |= watch_files();

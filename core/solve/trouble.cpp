@@ -209,7 +209,7 @@ std::int64_t iterations_for_a_try(const Mesh& mesh) {
   return 2000 + 10 * static_cast<std::int64_t>(mesh.n_faces());
 }
 
-std::string pin_words(const Mesh& mesh, const Pin& pin, const FaceNumber& number) {
+std::string pin_words(const Mesh& mesh, const Pin& pin, const NumberOfFace& number) {
   const std::vector<FaceId> faces = faces_of(mesh, pin);
   if (pin.kind == Pin::Kind::Patch)
     return "the patch of " + counted(static_cast<std::int64_t>(faces.size()), "face", "faces") + " at face " +
@@ -219,7 +219,7 @@ std::string pin_words(const Mesh& mesh, const Pin& pin, const FaceNumber& number
          grouped(number(faces.back()));
 }
 
-std::string pins_words(const Mesh& mesh, const std::vector<Pin>& pins, const FaceNumber& number) {
+std::string pins_words(const Mesh& mesh, const std::vector<Pin>& pins, const NumberOfFace& number) {
   std::string text;
   for (std::size_t i = 0; i < pins.size(); ++i) {
     if (i > 0) text += i + 1 == pins.size() ? " and " : ", ";

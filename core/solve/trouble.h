@@ -62,11 +62,11 @@ struct Releases {
 [[nodiscard]] std::int64_t iterations_for_a_try(const Mesh& mesh);
 
 /// How faces are numbered for people.
-using FaceNumber = std::function<int(FaceId)>;
+using NumberOfFace = std::function<int(FaceId)>;
 /// "the must-fold between faces 3 and 7", "the patch of 4 faces at face 12".
-[[nodiscard]] std::string pin_words(const Mesh& mesh, const Pin& pin, const FaceNumber& number);
+[[nodiscard]] std::string pin_words(const Mesh& mesh, const Pin& pin, const NumberOfFace& number);
 /// "the must-fold between … and the must-cut between …"
 [[nodiscard]] std::string pins_words(const Mesh& mesh, const std::vector<Pin>& pins,
-                                     const FaceNumber& number);
+                                     const NumberOfFace& number);
 
 }  // namespace netwright

@@ -1,0 +1,112 @@
+// A session after a search that found no net: what it tells, and how pins that stand in the way are released.
+#include <gtest/gtest.h>
+
+#include "tests/session_support.h"
+
+namespace netwright {
+namespace {
+
+using testing::SessionTest;
+
+/// An octahedron, one face of which wears a hat.
+std::string one_hat() {
+  const PolygonSoup plain = shapes::octahedron();
+  PolygonSoup first = plain;
+  first.face_begin = {0};
+  first.corners.clear();
+  first.add_face(plain.face(0));
+  PolygonSoup soup = testing::with_hats(first);
+  for (int f = 1; f < plain.n_faces(); ++f) soup.add_face(plain.face(f));
+  return shapes::to_obj(soup);
+}
+
+class SessionWhyTest : public SessionTest {
+ protected:
+  /// Folds around the brim that leave no net.
+  void pin_the_brim() {
+    const Mesh& mesh = session_.project().dual->mesh();
+    Constraints pins;
+    for (const auto& [a, b] : {std::pair{0, 1}, {1, 6}, {6, 7}, {7, 3}, {3, 4}})
+      for (const HalfedgeId h : mesh.halfedges(FaceId(a)))
+        if (mesh.neighbour(h) == FaceId(b)) set_pin(pins, mesh.edge(h), EdgePin::MustFold);
+    session_.set_pins(pins, "pin brim");
+  }
+  void search_in_vain() {
+    session_.unfold();
+    ASSERT_TRUE(frames_until([this] { return session_.figures().moves > 300; }));
+    session_.stop();
+    ASSERT_TRUE(frames_until([this] { return session_.state() == RunState::Idle; }));
+    ASSERT_TRUE(session_.shown());
+    ASSERT_FALSE(session_.shown()->is_proved);
+  }
+  void fail_with_pins() {
+    open(one_hat());
+    pin_the_brim();
+    search_in_vain();
+  }
+};
+
+TEST_F(SessionWhyTest, TellsNothingBeforeASearchOrAfterOneThatFoundANet) {
+  open_and_unfold(testing::bumpy());
+  EXPECT_EQ(session_.trouble(), nullptr);
+  EXPECT_EQ(session_.releases(), nullptr);
+  session_.look_for_releases();
+  EXPECT_EQ(session_.trial(), nullptr);
+}
+
+TEST_F(SessionWhyTest, TellsWhereAStoppedSearchWasStuck) {
+  open(testing::endless());
+  search_in_vain();
+  ASSERT_TRUE(session_.trouble());
+  EXPECT_FALSE(session_.trouble()->hot.empty());
+  EXPECT_FALSE(session_.trouble()->points.empty());
+  session_.unfold();
+  EXPECT_EQ(session_.trouble(), nullptr) << "the next search has not failed yet";
+  session_.stop();
+  ASSERT_TRUE(frames_until([this] { return session_.state() == RunState::Idle; }));
+  EXPECT_TRUE(session_.trouble());
+}
+
+TEST_F(SessionWhyTest, FindsThePinAndReleasesItAsOneStep) {
+  fail_with_pins();
+  session_.look_for_releases();
+  ASSERT_TRUE(session_.trial());
+  ASSERT_TRUE(frames_until([this] { return session_.releases() != nullptr; }));
+  EXPECT_EQ(session_.trial(), nullptr);
+  ASSERT_FALSE(session_.releases()->ways.empty());
+  const std::vector<Pin> way = session_.releases()->ways.front();
+  const std::size_t n_steps = session_.history().size();
+  session_.release(way);
+  ASSERT_TRUE(frames_until_idle());
+  ASSERT_TRUE(session_.shown()->is_proved);
+  EXPECT_TRUE(session_.keeps_pins());
+  EXPECT_EQ(session_.history().size(), n_steps + 2) << "releasing, and the net";
+  EXPECT_EQ(session_.history()[n_steps], way.size() == 1 ? "release pin" : "release pins");
+  EXPECT_EQ(pins_in(session_.project().pins).size(), 5 - way.size());
+  session_.undo();
+  session_.undo();
+  EXPECT_EQ(pins_in(session_.project().pins).size(), 5U);
+}
+
+TEST_F(SessionWhyTest, ForgetsWhatItFoundWhenPinsChange) {
+  fail_with_pins();
+  session_.look_for_releases();
+  ASSERT_TRUE(frames_until([this] { return session_.releases() != nullptr; }));
+  Constraints pins = session_.project().pins;
+  pins.must_fold.pop_back();
+  session_.set_pins(pins, "unpin");
+  EXPECT_EQ(session_.releases(), nullptr);
+  session_.undo();
+}
+
+TEST_F(SessionWhyTest, StopsTryingWhenASearchBegins) {
+  fail_with_pins();
+  session_.look_for_releases();
+  ASSERT_TRUE(session_.trial());
+  session_.unfold();
+  EXPECT_EQ(session_.trial(), nullptr);
+  EXPECT_EQ(session_.state(), RunState::Running);
+}
+
+}  // namespace
+}  // namespace netwright
