@@ -12,6 +12,7 @@
 #include "core/mesh/read.h"
 #include "core/mesh/repair.h"
 #include "core/project/project_file.h"
+#include "core/project/proof_file.h"
 #include "core/sheet/fold_file.h"
 
 namespace netwright {
@@ -178,11 +179,37 @@ void tell_of_project(const Project& project, const InfoCommand& command) {
   print(net_line(project));
 }
 
+/// 0 when the proof holds, which means that there is no net.
+int verify_proof(const VerifyCommand& command) {
+  const ProofFile file = read_proof(command.file);
+  const ImpossibilityVerdict verdict = verify_impossible(file.mesh, file.proof);
+  if (command.is_json) {
+    Json json;
+    json.set("file", command.file.string());
+    json.set("faces", static_cast<std::int64_t>(file.mesh.n_faces()));
+    json.set("regions", static_cast<std::int64_t>(file.proof.regions.size()));
+    json.set("steps", static_cast<std::int64_t>(file.proof.nodes.size()));
+    json.set("proved", verdict.is_proved);
+    json.set("fault", verdict.fault);
+    print(to_text(json, {.is_indented = true}));
+  } else if (verdict.is_proved) {
+    print("Proved: " + file.mesh.name() + ", " +
+          counted(static_cast<std::int64_t>(file.mesh.n_faces()), "face", "faces") +
+          ", has no net in one piece (" +
+          counted(static_cast<std::int64_t>(file.proof.nodes.size()), "step", "steps") + " checked).");
+  } else {
+    print("Not a proof: " + verdict.fault);
+  }
+  return verdict.is_proved ? kGood : kNotGood;
+}
+
 }  // namespace
 
 int run_verify(const VerifyCommand& command) {
+  if (has_proof_name(command.file)) return verify_proof(command);
   const FlatNet net = read_net(command.file);
-  const VerifyReport report = verify(net, 0);
+  VerifyReport report = verify(net, 0);
+  if (report.pieces <= command.most_pieces) report = verify(net, report.pieces);
   if (command.is_json) {
     print(to_text(verify_json(net, report, command), {.is_indented = true}));
   } else if (report.is_net) {

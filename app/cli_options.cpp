@@ -13,6 +13,7 @@
 #include "core/mesh/read.h"
 #include "core/project/open_model.h"
 #include "core/project/project_file.h"
+#include "core/project/proof_file.h"
 #include "core/sheet/write.h"
 
 namespace netwright {
@@ -240,6 +241,23 @@ class Reader {
                    "Face that the net starts from, by its number in the file counted from 1")
         ->type_name("FACE")
         ->check(within(1, 2000000000, "the number of a face, counted from 1"));
+    CLI::Option* pieces =
+        app.add_option(
+               "--pieces", unfold_.most_pieces,
+               "Where no net in one piece is found, allow so many pieces in all; the fewest are taken")
+            ->type_name("N")
+            ->check(within(1, 2000000000, "a number of pieces, 1 or more"));
+    app.add_flag("--fewest-pieces", unfold_.fewest_pieces,
+                 "Where no net in one piece is found, allow as many pieces as it takes")
+        ->excludes(pieces);
+    app.add_option("--proof", unfold_.proof,
+                   "File for the proof, where there is one that no net in one piece exists; verify checks it")
+        ->type_name("OUT.proof")
+        ->check(CLI::Validator(
+            [](std::string& word) {
+              return has_proof_name(word) ? std::string() : "its name must end in .proof";
+            },
+            ""));
     add_pins(app);
     add_paper(app);
     add_sheet(app);
@@ -436,11 +454,19 @@ class Reader {
   }
 
   void add_verify() {
-    verify_app_ = app_.add_subcommand("verify", "Prove that a .fold file or a project holds a net");
+    verify_app_ = app_.add_subcommand(
+        "verify", "Prove that a .fold file or a project holds a net, or check a proof that there is none");
     verify_app_->footer(kFooter);
-    verify_app_->add_option("FILE", verify_.file, "Net as written by unfold: .fold .netwright")
+    verify_app_
+        ->add_option("FILE", verify_.file,
+                     "Net as written by unfold: .fold .netwright; or the .proof that there is none")
         ->required()
         ->type_name("");
+    verify_app_
+        ->add_option("--pieces", verify_.most_pieces,
+                     "Allow so many pieces in all; without, one for each part of the model")
+        ->type_name("N")
+        ->check(within(1, 2000000000, "a number of pieces, 1 or more"));
     verify_app_->add_flag("--json", verify_.is_json, "Print the result as one JSON object");
   }
 

@@ -47,6 +47,9 @@ struct UnfoldCommand {
   PrintOptions print;                  ///< what is not named is a project's to decide
   ExportSettings exports;              ///< what differs from the usual takes a project's place
   std::optional<CutterPreset> cutter;  ///< outputs without an extension are folders for its package
+  int most_pieces = 1;                 ///< of a net where none of one piece is found
+  bool fewest_pieces = false;          ///< as many as it takes
+  std::filesystem::path proof;         ///< written where it is proved that there is no net; empty = nowhere
   bool is_json = false;
   bool has_report = false;  ///< how well the net can be built, beside the result
 
@@ -70,6 +73,7 @@ struct ReplaceCommand {
 
 struct VerifyCommand {
   std::filesystem::path file;
+  int most_pieces = 0;  ///< in all; 0 = one for each part of the model
   bool is_json = false;
 };
 

@@ -7,13 +7,16 @@
 
 #include "app/cli_commands.h"
 #include "app/cli_model.h"
+#include "app/cli_pieces.h"
 #include "app/cli_report.h"
 #include "app/cli_search.h"
 #include "app/cli_watch.h"
 #include "app/cli_why.h"
+#include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/project/commands.h"
 #include "core/project/project_file.h"
+#include "core/project/proof_file.h"
 #include "core/project/tab_aim.h"
 #include "core/sheet/page_frame.h"
 #include "core/sheet/split_to_fit.h"
@@ -190,6 +193,7 @@ std::optional<WhyNot> ask_why(const UnfoldCommand& command, const SolveResult& r
 
 void check_outputs(const UnfoldCommand& command) {
   for (const fs::path& output : command.outputs) check_output(output, command);
+  if (!command.proof.empty()) check_folder(command.proof);
 }
 
 int search_and_write(const UnfoldCommand& command, const CliModel& model, const Interrupts& interrupts,
@@ -213,6 +217,11 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
         limit, &line);
     if (watched.was_interrupted) return kCancelled;
   }
+  if (result.impossible != nullptr && !command.proof.empty())
+    write_proof(command.proof, mesh, *result.impossible);
+  const std::optional<PiecesResult> pieces = look_for_pieces(command, result, options, interrupts);
+  if (interrupts.has_come()) return kCancelled;
+  const bool has_pieces = pieces && take_pieces(command, *pieces, result);
   UnfoldOutcome outcome{mesh, result, now_seconds() - search_start, 0};
   const std::optional<WhyNot> why = ask_why(command, result, options, interrupts);
   Drawing drawing;
@@ -231,22 +240,28 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
       json.set("report", build_report_json(drawing.net, drawing.layout));
     if (model.replaced) json.set("replaced", replaced_json(*model.replaced));
     if (why) json.set("why", why_json(*why, mesh));
+    if (pieces) json.set("choices", pieces_json(*pieces));
     print(to_text(json, {.is_indented = true}));
   } else if (result.is_proved) {
     tell_success(command, outcome, drawing);
+    if (has_pieces)
+      for (const std::string& line : pieces_lines(command, *pieces)) print(line);
   }
   if (result.is_proved) return kDone;
+  if (pieces && !pieces->choices.empty())
+    complain("note: there are nets of " + counted(pieces->choices.front().net.n_pieces, "piece", "pieces") +
+             ", more than --pieces allows.");
   if (result.isolated_face.is_valid()) {
     complain(isolated_face_sentence(mesh, result.isolated_face));
     return kImpossible;
   }
   if (result.impossible != nullptr) {
     complain(impossible_sentence(mesh));
-    return kImpossible;
+  } else {
+    complain(unsolved_sentence(mesh, result, command));
   }
-  complain(unsolved_sentence(mesh, result, command));
   for (const std::string& line : why_lines(*why, mesh)) complain("note: " + line);
-  return kUnsolved;
+  return result.impossible != nullptr ? kImpossible : kUnsolved;
 }
 
 int run_unfold(const UnfoldCommand& asked) {

@@ -236,7 +236,7 @@ TEST_F(CommandLine, WritesNothingWhenTheTimeIsUp) {
 
 TEST_F(CommandLine, TellsWhyThereIsNoNet) {
   const std::string model = write("hats.obj", shapes::to_obj(testing::with_hats(shapes::tetrahedron())));
-  const Json json = run_json({"unfold", model, "--must-fold", "1:2", "--time-limit", "1", "--json"}, 2);
+  const Json json = run_json({"unfold", model, "--must-fold", "1:2", "--time-limit", "1", "--json"}, 3);
   const Json* why = json.find("why");
   ASSERT_NE(why, nullptr);
   ASSERT_FALSE(why->find("hot_faces")->array()->empty());

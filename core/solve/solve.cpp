@@ -43,7 +43,7 @@ class SolveJob {
         whole_(dual_, options.pins.root) {}
 
   SolveResult run() {
-    result_.isolated_face = find_isolated_face(*dual_);
+    find_isolated();
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       search(attempt);
       collect();
@@ -88,6 +88,14 @@ class SolveJob {
 
   [[nodiscard]] bool is_impossible() const {
     return result_.isolated_face.is_valid() || result_.impossible != nullptr;
+  }
+
+  void find_isolated() {
+    result_.isolated_face = find_isolated_face(*dual_);
+    if (!result_.isolated_face.is_valid()) return;
+    auto proof =
+        std::make_shared<ImpossibilityProof>(isolated_face_proof(dual_->mesh(), result_.isolated_face));
+    if (verify_impossible(dual_->mesh(), *proof).is_proved) result_.impossible = std::move(proof);
   }
 
   void ask_if_possible() {

@@ -75,7 +75,8 @@ struct SolveResult {
   bool was_cancelled = false;
   FaceId isolated_face;  ///< proves, where it is valid, that no net exists (see unfold/obstruction.h): no
                          ///< search is made
-  /// Proves, where it is there, that no net exists: tried once when a search has taken long.
+  /// Proves, where it is there, that no net exists: tried once when a search has taken long, and there at
+  /// once with an isolated face whose overlaps are deep enough.
   std::shared_ptr<const ImpossibilityProof> impossible;
   VerifyReport proof;
   std::vector<Overlap> overlaps;  ///< what is left, deeper than kShownDepth

@@ -38,6 +38,17 @@ FaceId find_isolated_face(const DualGraph& dual) {
   return {};
 }
 
+ImpossibilityProof isolated_face_proof(const Mesh& mesh, FaceId face) {
+  ImpossibilityProof proof;
+  for (const HalfedgeId h : mesh.halfedges(face)) {
+    if (!mesh.neighbour(h).is_valid()) continue;
+    proof.nodes.push_back({ImpossibilityProof::Step::Hinge, mesh.edge(h).value, 0});
+    proof.nodes.push_back({ImpossibilityProof::Step::Overlap, face.value, mesh.neighbour(h).value});
+  }
+  proof.nodes.push_back({ImpossibilityProof::Step::Topology, 0, 0});
+  return proof;
+}
+
 std::string isolated_face_sentence(const Mesh& mesh, FaceId face) {
   return mesh.name() + " has no net in one piece: face " + std::to_string(mesh.face_source(face) + 1) +
          " overlaps every neighbour that could be joined to it; split that face or widen its notches in a "

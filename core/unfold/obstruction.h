@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/mesh/dual_graph.h"
+#include "core/unfold/impossibility.h"
 
 namespace netwright {
 
@@ -12,6 +13,9 @@ namespace netwright {
 /// that its component has no net. (A star whose notches are narrower than the corners of the sides that would
 /// stand in them.)
 FaceId find_isolated_face(const DualGraph& dual);
+
+/// What such a face proves, for the checker: every way to join it, and none.
+ImpossibilityProof isolated_face_proof(const Mesh& mesh, FaceId face);
 
 /// The same as one sentence for people, with the cure.
 std::string isolated_face_sentence(const Mesh& mesh, FaceId face);
