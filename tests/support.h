@@ -13,6 +13,7 @@
 #include "core/mesh/dual_graph.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/shapes.h"
+#include "core/mesh/shapes_hard.h"
 
 namespace netwright::testing {
 
@@ -58,6 +59,9 @@ inline std::vector<ZooShape> zoo() {
   add(torus(8, 6)).genus = 1;
   add(cuboid_with_holes(1, 1, 2)).genus = 1;
   add(cuboid_with_holes(2, 2)).genus = 4;
+  add(box_with_tubes(2, 2, 6, 0.4)).genus = 4;
+  add(scaffold(1)).genus = 5;
+  add(screw(1));
   for (PolygonSoup& soup : std::vector{grid_patch(5, 4), bumpy_patch(6, 6), open_cylinder(16, 3)}) {
     add(std::move(soup)).is_closed = false;
   }
@@ -68,6 +72,28 @@ inline std::vector<ZooShape> zoo() {
   mixed.n_components = 2;
   return all;
 }
+
+/// What is hard to unfold: of every hard family a model that is solved in a moment, of those that we know to
+/// have harder ones the hardest such.
+inline std::vector<PolygonSoup> hard_zoo() {
+  using namespace shapes;
+  return {box_with_tubes(4, 4, 5, 0.4),
+          box_with_tubes(6, 6, 8, 0.3),
+          comb(32, 128, 0.25),
+          brush(8, 8, 10, 0.25),
+          screw(16),
+          screw(16, 12, 4, 0.2),
+          scaffold(3),
+          menger_sponge(2),
+          spiked(icosphere(4), 1.25),
+          spiked(torus(5, 4), 1.75),
+          star_spindle(256, 0.1, 8)};
+}
+
+/// The smallest we know on which the search gives up after a minute (240 triangles), though nothing proves
+/// that it has no net: twelve angles of more than 72 degrees around nearly every corner, of which no five go
+/// into a full turn, so that three cuts have to part them four by four.
+inline PolygonSoup hardest_shape() { return shapes::spiked(shapes::icosphere(2), 2); }
 
 /// How hats look, in terms of the first side of the triangle below.
 struct HatShape {

@@ -151,18 +151,19 @@ void add_tubes_end(PolygonSoup& soup, int nx, int nz, const std::array<int, 4>& 
 
 }  // namespace
 
-PolygonSoup box_with_tubes(int nx, int nz, double length) {
+PolygonSoup box_with_tubes(int nx, int nz, double length, double gap) {
   PolygonSoup soup;
   soup.name = "box with tubes" + sizes(nx, nz);
   const auto add_level = [&](double y) {
-    const double width = 2 * nx + 1;
-    const double depth = 2 * nz + 1;
+    const double width = nx + (nx + 1) * gap;
+    const double depth = nz + (nz + 1) * gap;
+    const auto line = [gap](int i) { return (i / 2 + 1) * gap + (i + 1) / 2; };
     const int first = add_point(soup, {0, y, 0});
     add_point(soup, {width, y, 0});
     add_point(soup, {width, y, depth});
     add_point(soup, {0, y, depth});
     for (int j = 0; j < 2 * nz; ++j)
-      for (int i = 0; i < 2 * nx; ++i) add_point(soup, {i + 1, y, j + 1});
+      for (int i = 0; i < 2 * nx; ++i) add_point(soup, {line(i), y, line(j)});
     return first;
   };
   const int low = add_level(0);
@@ -262,16 +263,20 @@ PolygonSoup screw(int n_turns, int n_segments, double depth, double pitch) {
   return soup;
 }
 
-PolygonSoup spiky_ball(int n, double height) {
-  const PolygonSoup ball = icosphere(n);
+PolygonSoup spiked(const PolygonSoup& triangles, double steepness) {
   PolygonSoup soup;
-  soup.name = "spiky ball " + std::to_string(60 * n * n);
-  soup.points = ball.points;
-  for (int f = 0; f < ball.n_faces(); ++f) {
-    const auto face = ball.face(f);
-    glm::dvec3 centre(0);
-    for (const int corner : face) centre += ball.points[static_cast<std::size_t>(corner)] / 3.0;
-    const int tip = add_point(soup, glm::normalize(centre) * (glm::length(centre) + height));
+  soup.name = "spiked " + triangles.name;
+  soup.points = triangles.points;
+  for (int f = 0; f < triangles.n_faces(); ++f) {
+    const auto face = triangles.face(f);
+    const auto corner = [&](std::size_t i) {
+      return triangles.points[static_cast<std::size_t>(face[i % 3])];
+    };
+    double sides = 0;
+    for (std::size_t i = 0; i < 3; ++i) sides += glm::distance(corner(i), corner(i + 1));
+    const glm::dvec3 up = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    const glm::dvec3 centre = (corner(0) + corner(1) + corner(2)) / 3.0;
+    const int tip = add_point(soup, centre + up * (steepness * sides / 3));
     for (std::size_t i = 0; i < 3; ++i) add_triangle(soup, face[i], face[(i + 1) % 3], tip);
   }
   return soup;

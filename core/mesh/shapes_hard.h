@@ -6,10 +6,10 @@
 
 namespace netwright::shapes {
 
-/// The paper's figure 9: a box with nx × nz square tubes from top to bottom, one wide and one apart, in as
-/// few triangles as its corners allow: 12 + 20 nx nz. The longer the tubes, the less of their walls finds
-/// room above their own openings. Genus nx · nz.
-PolygonSoup box_with_tubes(int nx, int nz, double length);
+/// The paper's figure 9: a box with nx × nz square tubes from top to bottom, one wide and `gap` apart, in as
+/// few triangles as its corners allow: 12 + 20 nx nz. The walls of tubes longer than wide find no room in
+/// their own openings. Genus nx · nz.
+PolygonSoup box_with_tubes(int nx, int nz, double length, double gap = 1);
 
 /// A bar with n_teeth plates on it, one thick, `gap` apart and `length` long; in quads. Genus 0.
 PolygonSoup comb(int n_teeth, double length, double gap = 1);
@@ -26,8 +26,10 @@ PolygonSoup menger_sponge(int order);
 /// n_segments to a turn; in triangles. Genus 0.
 PolygonSoup screw(int n_turns, int n_segments = 12, double depth = 0.5, double pitch = 0.5);
 
-/// An icosphere with a spike of this height on each of its 20 n² faces: 60 n² triangles. Genus 0.
-PolygonSoup spiky_ball(int n, double height);
+/// Triangles with a spike on each of them, so many times as high as its mean side is long: three triangles
+/// for each. Where six met, twelve long angles meet then: more than two full turns from a steepness of about
+/// 0.8 on, never more than three.
+PolygonSoup spiked(const PolygonSoup& triangles, double steepness);
 
 /// Long triangles from the points and notches of a star to a tip above and one below: 4 n_points faces, all
 /// around two corners. Genus 0.
