@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/gui_support.h"
+#include "ui/actions.h"
 #include "ui/selection.h"
 #include "ui/tab_tool.h"
 
@@ -100,6 +101,9 @@ TEST(PaperPanel, SplitsWhatIsLargerThanThePaper) {
   }));
   gui.frames(3);
   EXPECT_FALSE(gui.widgets.find("paper/split").has_value()) << "every piece fits a page now";
+  const UiContext context{gui.session(), gui.ui()};
+  EXPECT_TRUE(is_possible(context, ActionId::PrintPages)) << "pieces cut on purpose are printed, too";
+  EXPECT_TRUE(is_possible(context, ActionId::ExportLaser));
   gui.session().undo();
   EXPECT_TRUE(gui.until([&] { return gui.session().pages() && gui.session().pages()->pieces.size() == 1; }));
 }

@@ -105,6 +105,78 @@ TEST(PrintedView, LettersTooSmallToReadAreLeftOut) {
   EXPECT_LT(gui.app.workspace().sheets().n_letters(), n_before);
 }
 
+TEST(PrintedView, RestsTheSwitchOfTheTreeThatIsNotPrinted) {
+  Gui gui;
+  gui.open_sample("Cube");
+  ASSERT_TRUE(gui.unfold());
+  gui.frames(5);
+  EXPECT_FALSE(gui.rect("net/Unfold tree").is_enabled);
+  EXPECT_TRUE(gui.rect("model/Unfold tree").is_enabled) << "the model shows it";
+  gui.key('P');
+  EXPECT_TRUE(gui.rect("net/Unfold tree").is_enabled);
+}
+
+TEST(PrintedView, StaysOnItsPagesUntilThoseOfTheNextNetAreThere) {
+  Gui gui;
+  gui.open_sample("Globe");
+  ASSERT_TRUE(gui.unfold());
+  gui.session().set_seed(gui.session().project().seed + 1);
+  ASSERT_TRUE(gui.unfold());
+  gui.frames(5);
+  const auto& scene = gui.app.workspace().scene();
+  const auto before = gui.session().shown();
+  ASSERT_TRUE(scene.is_printed());
+  gui.session().undo();
+  // The clock stands still: patience has an end.
+  bool was_on_pages = true;
+  for (int i = 0; i < 4000 && (gui.session().is_laying_out() || gui.session().shown() == before); ++i) {
+    gui.window.wait_events(0.002);
+    gui.app.turn(0);
+    gui.app.draw();
+    was_on_pages = was_on_pages && scene.is_on_pages();
+  }
+  EXPECT_TRUE(was_on_pages);
+  gui.frames(2);
+  EXPECT_NE(gui.session().shown(), before);
+  EXPECT_EQ(scene.shown(), gui.session().shown());
+  EXPECT_TRUE(scene.is_printed());
+}
+
+TEST(PrintedView, ShowsTilesWholeBelowTheNet) {
+  Gui gui;
+  gui.open_sample("Globe");
+  ASSERT_TRUE(gui.unfold());
+  const auto before = gui.session().pages();
+  gui.session().set_size({PrintSize::Kind::Height, 250});
+  ASSERT_TRUE(gui.until([&] { return gui.session().pages() && gui.session().pages() != before; }));
+  gui.frames(5);
+  const auto pages = gui.session().pages();
+  const auto& sheets = *gui.session().sheets();
+  ASSERT_TRUE(pages->canvases.front().is_tiled());
+  const auto placed = place_sheets(sheets, *pages, PrintedSide::Outside);
+  const auto spread = spread_tiles(sheets, *pages, PrintedSide::Outside, placed);
+  ASSERT_EQ(spread.size(), pages->pages.size());
+  for (std::size_t i = 0; i < spread.size(); ++i) {
+    const Box2 page = box_of(spread[i], pages->scale);
+    EXPECT_LT(page.max.y, -pages->canvases.front().height_mm / pages->scale) << "below the joined tiles";
+    for (std::size_t k = 0; k < i; ++k) {
+      const Box2 other = box_of(spread[k], pages->scale);
+      EXPECT_TRUE(page.min.x >= other.max.x || page.max.x <= other.min.x || page.min.y >= other.max.y ||
+                  page.max.y <= other.min.y);
+    }
+  }
+  const auto& camera = gui.app.workspace().net_view().camera();
+  const glm::dvec2 first = box_of(spread.back(), pages->scale).centre();
+  EXPECT_GT(camera.to_pixel(first).y, camera.size_px().y) << "the net comes first";
+  gui.key(keys::kHome);
+  gui.frames(5);
+  EXPECT_LT(camera.to_pixel(first).y, camera.size_px().y) << "Home shows all sheets";
+  const auto mirrored = spread_tiles(sheets, *pages, PrintedSide::Inside, placed);
+  const auto left_of = [](const PlacedSheet& sheet) { return sheet.corner_mm.x; };
+  const auto is_left = [&](const auto& all) { return left_of(all[0]) < left_of(all[1]); };
+  if (pages->pages[0].column != pages->pages[1].column) EXPECT_NE(is_left(spread), is_left(mirrored));
+}
+
 TEST(PlaceSheets, PutsAPageUnderTheNetThatLiesOnIt) {
   Gui gui;
   gui.open_sample("Cube");

@@ -58,10 +58,12 @@ std::string needs_sheets(const UiContext& c) {
   if (is_busy(c)) return "The search is still running; the best run so far can be exported from the runs.";
   if (c.session.viewed_run() != 0 && c.session.viewed_run() != c.session.accepted_run())
     return c.session.shown()->overlaps.empty() ? "" : "This run has overlaps left.";
+  if (c.session.sheets() != nullptr) return "";
   const auto shown = c.session.shown();
   if (shown == nullptr || !shown->is_proved) return "Unfold the model into one piece first (Space).";
   if (const Misplaced* const wrong = c.session.misplaced()) return misplaced_sentence(*wrong);
-  return c.session.sheets() == nullptr ? "The pages are still being laid out." : "";
+  return c.session.is_laying_out() ? "The pages are still being laid out."
+                                   : "The net has no pages: see to paper and margins.";
 }
 
 std::string needs_project_sheets(const UiContext& c) {
@@ -170,6 +172,11 @@ std::string undo_label(const UiContext& c) { return c.session.undo_label(); }
 std::string redo_label(const UiContext& c) { return c.session.redo_label(); }
 
 void frame_all(UiContext& c) { c.ui.wants_frame_model = c.ui.wants_frame_net = true; }
+
+void show_all(UiContext& c) {
+  c.ui.wants_home = c.ui.wants_frame_desk = true;
+  frame_all(c);
+}
 
 std::string needs_net(const UiContext& c) {
   if (!c.session.has_model()) return "Open a model first.";
@@ -443,8 +450,8 @@ const auto kActions = std::to_array<Action>({
      move_on, nullptr, nullptr},
     {ActionId::Frame, "Frame all", icon::kFullscreen, {'F', 0}, "Fits model and net into their views", needs_model,
      frame_all, nullptr, nullptr},
-    {ActionId::Home, "Home view", icon::kHome, {kHomeKey, 0}, "Looks at the model as at first", needs_model,
-     [](UiContext& c) { c.ui.wants_home = true; frame_all(c); }, nullptr, nullptr},
+    {ActionId::Home, "Home view", icon::kHome, {kHomeKey, 0}, "Looks at the model as at first, and at all sheets", needs_model,
+     show_all, nullptr, nullptr},
     {ActionId::JoinAndCut, "Join and cut", icon::kCut, {'E', 0},
      "Joins and cuts edges of the net by hand, and hangs branches elsewhere", needs_still_net, toggle_editing,
      [](const UiContext& c) { return c.ui.editing.is_on; }, nullptr},

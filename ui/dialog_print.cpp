@@ -38,9 +38,9 @@ std::string why_no_sheets(const UiContext& c) {
 
 void Dialogs::draw_print(UiContext& context) {
   UiState& ui = context.ui;
-  if (!begin_window(ui, 460, 300)) return;
   const std::vector<std::string>* printers = context.session.printers();
   const bool has_printers = printers != nullptr && !printers->empty();
+  if (!begin_window(ui, 460, has_printers ? 264 : 152)) return;
   if (has_printers) {
     printer_row(context, *printers);
     row(ui, "Sheets");

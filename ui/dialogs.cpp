@@ -186,8 +186,6 @@ void Dialogs::choose_format(UiState& ui) {
   }
   const bool is_changed = segments(ui, "export/format", ui.look.px(320), labels, chosen);
   const ExportFormat& format = export_formats()[static_cast<std::size_t>(chosen)];
-  ImGui::SameLine(0, ui.look.px(16));
-  ImGui::AlignTextToFramePadding();
   text_muted(ui, std::string(format.description));
   if (!is_changed) return;
   ui.export_extension = format.extension.substr(1);

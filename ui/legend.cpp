@@ -33,6 +33,30 @@ void add_pins(const Constraints& pins, const Palette& p, std::vector<Entry>& ent
   if (!pins.together.empty()) entries.push_back({"patch", Mark::Line, p.patch});
 }
 
+/// A printed line as large as it is drawn in a swatch.
+Entry printed_entry(const char* label, const PrintedLine& line) {
+  constexpr double kPixelsPerMm = 2;
+  constexpr double kLeastPixels = 1.2;
+  Entry entry{label, Mark::Line, Colour(glm::vec3(line.colour), 1)};
+  for (const double part : line.dash_mm)
+    entry.dash.push_back(static_cast<float>(std::max(part * kPixelsPerMm, kLeastPixels)));
+  return entry;
+}
+
+/// The sheet's own lines; there is no tree on it, and the root is a face with a tint.
+std::vector<Entry> printed_entries(const UiContext& context, const ShownNet& shown) {
+  const Project& project = context.session.project();
+  const LineStyles& lines = project.sheet.lines;
+  const Palette& p = palette_of(context.ui);
+  std::vector<Entry> entries{printed_entry("cut", lines.cut), printed_entry("mountain", lines.mountain)};
+  if (has_kind(shown, EdgeKind::Valley)) entries.push_back(printed_entry("valley", lines.valley));
+  if (const auto pages = context.session.pages(); pages != nullptr && !pages->tabs.tabs.empty())
+    entries.push_back(printed_entry("tab", lines.tab_fold));
+  add_pins(project.pins, p, entries);
+  if (context.ui.settings.show_root) entries.push_back({"root", Mark::Fill, p.root});
+  return entries;
+}
+
 /// While single moves are watched the moves are the topic, not the folds.
 std::vector<Entry> entries_of(const UiContext& context, const ShownNet& shown) {
   const UiState& ui = context.ui;
@@ -141,14 +165,15 @@ void draw_swatch(const UiState& ui, const Entry& entry, ImVec2 min, ImVec2 max) 
 
 float legend_height(const UiState& ui) { return ui.look.px(40); }
 
-void draw_legend(const UiContext& context, const ShownNet* shown) {
+void draw_legend(const UiContext& context, const ShownNet* shown, bool is_printed) {
   const UiState& ui = context.ui;
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max(min.x + ImGui::GetContentRegionAvail().x, min.y + legend_height(ui));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(min, max, to_u32(palette_of(ui).desk));
   if (shown == nullptr) return;
-  const std::vector<Entry> entries = entries_of(context, *shown);
+  const std::vector<Entry> entries =
+      is_printed ? printed_entries(context, *shown) : entries_of(context, *shown);
   const Spacing spacing = spacing_for(ui, entries, max.x - min.x);
   const ImFont* font = ui.look.fonts.small;
   const float middle = (min.y + max.y) / 2;

@@ -8,6 +8,7 @@ namespace netwright {
 float legend_height(const UiState& ui);
 
 /// Fills the rest of the present window's width; only what can be seen now is explained. `shown` may be null.
-void draw_legend(const UiContext& context, const ShownNet* shown);
+/// `is_printed`: the net is seen in the lines that it is printed in.
+void draw_legend(const UiContext& context, const ShownNet* shown, bool is_printed);
 
 }  // namespace netwright

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assets/icons.h"
 #include "ui/arranging.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double kFlownToShare = 0.3;  ///< of the view, filled by faces that are flown to
 constexpr double kMostMagnified = 12;  ///< against the framed net, so that one still sees where one is
+constexpr double kSoon_s = 0.3;        ///< what is done sooner need not be told
 constexpr double kTooSmall = 0.55;     ///< a net that fills less of the view than this is framed again
 
 /// While a search runs the net changes size at every move; following each would make the picture tremble.
@@ -31,6 +33,13 @@ bool needs_framing(const PanZoomCamera& camera, const Box2& box) {
       box.min.x < seen.min.x || box.min.y < seen.min.y || box.max.x > seen.max.x || box.max.y > seen.max.y;
   const glm::dvec2 share = box.size() / seen.size();
   return is_outside || std::max(share.x, share.y) < kTooSmall;
+}
+
+/// At the top left of the desk.
+void draw_note(const UiState& ui, const char* text, ImVec2 corner) {
+  const ImFont* font = ui.look.fonts.small;
+  const ImVec2 at(corner.x + ui.look.px(16), corner.y + ui.look.px(4));
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, ui.look.colours.text, text);
 }
 
 /// An empty desk says what will lie on it.
@@ -47,11 +56,14 @@ void draw_empty_desk(const UiState& ui, const ImVec2& corner, const ImVec2& size
 void NetView::follow_net(UiContext& context, const Scene& scene) {
   UiState& ui = context.ui;
   const Net* net = scene.net();
-  if (file_version_ != scene.file_version()) is_moved_by_user_ = false;
+  if (file_version_ != scene.file_version()) is_moved_by_user_ = shows_desk_ = false;
   file_version_ = scene.file_version();
   const bool is_asked = ui.wants_frame_net;
   ui.wants_frame_net = false;
-  if (is_asked) is_moved_by_user_ = false;
+  if (is_asked) {
+    is_moved_by_user_ = false;
+    shows_desk_ = std::exchange(ui.wants_frame_desk, false);
+  }
   if (net == nullptr) return;
   const bool is_laid_anew = was_on_pages_ != scene.is_on_pages() || model_version_ != scene.model_version();
   const bool is_new = version_ != scene.version();
@@ -62,10 +74,11 @@ void NetView::follow_net(UiContext& context, const Scene& scene) {
   const bool is_moving = line && line->position != line->home;
   const bool is_resting = context.session.state() == RunState::Idle && !is_moving;
   // Under a hand that arranges pieces the desk holds still.
-  const bool follows =
-      !is_arranging(context, scene) && (needs_framing(camera_, scene.net_box()) || (is_new && is_resting));
+  const bool is_framed = shows_desk_ || !needs_framing(camera_, scene.net_box());
+  const bool follows = !is_arranging(context, scene) && (!is_framed || (is_new && is_resting));
   const bool is_due = is_asked || is_laid_anew || follows;
-  if (is_due && !is_moved_by_user_) camera_.frame(scene.net_box(), ui.look.px(24));
+  if (is_due && !is_moved_by_user_)
+    camera_.frame(shows_desk_ ? scene.desk_box() : scene.net_box(), ui.look.px(24));
   if (!ui.flight_now.empty()) start_flight(ui.flight_now, *net, ui.now);
   if (!ui.centre_now.is_valid()) return;
   camera_.centre_on(net->box(ui.centre_now).centre());
@@ -150,14 +163,20 @@ std::vector<FaceId> NetView::faces_in_band(const Net& net) const {
   return faces;
 }
 
+void NetView::tell_of_pages(const UiContext& context, const Scene& scene, ImVec2 corner) {
+  UiState& ui = context.ui;
+  const bool is_waiting = ui.settings.show_pages && scene.net() != nullptr && !scene.is_on_pages() &&
+                          context.session.is_laying_out() && context.session.state() == RunState::Idle;
+  if (!is_waiting) return laying_since_.reset();
+  if (!laying_since_) laying_since_ = ui.now;
+  ui.frames_wanted = std::max(ui.frames_wanted, 2);
+  if (ui.now - *laying_since_ >= kSoon_s) draw_note(ui, "Laying out the pages…", corner);
+}
+
 void NetView::show_numbers(const UiState& ui, const Scene& scene, ImVec2 corner) {
   n_numbers_ = draw_numbers(ui, *scene.net(), scene.shown()->kinds, camera_, corner);
   if (n_numbers_ > 0) return;
-  const char* text = "Zoom in to read the numbers";
-  const ImFont* font = ui.look.fonts.small;
-  ImGui::GetWindowDrawList()->AddText(font, font->FontSize,
-                                      ImVec2(corner.x + ui.look.px(16), corner.y + ui.look.px(4)),
-                                      ui.look.colours.text, text);
+  draw_note(ui, "Zoom in to read the numbers", corner);
 }
 
 void NetView::draw_measured(const UiContext& context, const Scene& scene, ImVec2 corner) const {
@@ -196,7 +215,12 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   // Of "one piece, proved" the last is what matters most.
   const std::size_t comma = state.rfind(", ");
   const std::string brief = comma == std::string::npos ? "" : state.substr(comma + 2);
-  view_header(context, "net", "Net", {state, brief}, to_u32(palette_of(ui).desk),
+  HeaderState says{state, brief};
+  if (scene.is_net_on_paper()) {
+    says.idle = ActionId::ToggleTree;
+    says.why_idle = "The tree is not printed. Without tabs (B) or pages (P) the net shows it.";
+  }
+  view_header(context, "net", "Net", says, to_u32(palette_of(ui).desk),
               {ActionId::ToggleNumbers, ActionId::ToggleTree, ActionId::ToggleOverlaps, ActionId::ToggleRoot,
                ActionId::TogglePages, ActionId::ToggleTabs, ActionId::Frame});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -219,6 +243,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   ImGui::GetWindowDrawList()->AddImage(texture, corner, ImVec2(corner.x + size.x, corner.y + size.y),
                                        ImVec2(0, 1), ImVec2(1, 0));
   if (ui.settings.show_numbers && scene.net() != nullptr) show_numbers(ui, scene, corner);
+  tell_of_pages(context, scene, corner);
   draw_arranging(context, scene, camera_, corner);
   band_.draw(ui, corner);
   draw_measured(context, scene, corner);
@@ -226,7 +251,7 @@ void NetView::draw(UiContext& context, const Scene& scene, Renderers& renderers)
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y));
   draw_timeline(context);
   ImGui::SetCursorScreenPos(ImVec2(corner.x, corner.y + size.y + timeline_height(context)));
-  draw_legend(context, scene.shown().get());
+  draw_legend(context, scene.shown().get(), scene.is_net_on_paper());
 }
 
 }  // namespace netwright

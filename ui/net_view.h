@@ -27,6 +27,7 @@ class NetView {
   void handle(UiContext& context, const Scene& scene, const Gesture& gesture);
   /// Faces whose middle lies in the rubber band.
   [[nodiscard]] std::vector<FaceId> faces_in_band(const Net& net) const;
+  void tell_of_pages(const UiContext& context, const Scene& scene, ImVec2 corner);
   void show_numbers(const UiState& ui, const Scene& scene, ImVec2 corner);
   void draw_measured(const UiContext& context, const Scene& scene, ImVec2 corner) const;
   void paint(const UiContext& context, const Scene& scene, Renderers& renderers);
@@ -47,6 +48,8 @@ class NetView {
   std::uint64_t model_version_ = 0;
   std::uint64_t version_ = 0;
   bool was_on_pages_ = false;
+  bool shows_desk_ = false;             ///< asked to keep all sheets in sight, not the net alone
+  std::optional<double> laying_since_;  ///< a net waits for its pages on the desk
 };
 
 }  // namespace netwright

@@ -170,6 +170,19 @@ void placed_rows(UiContext& c) {
     run_action(c, ActionId::RearrangeAll);
 }
 
+/// How much paper it takes.
+void pages_row(UiContext& c) {
+  const auto sheets = c.session.sheets();
+  const auto pages = c.session.pages();
+  if (sheets == nullptr || pages == nullptr) return;
+  const bool is_tiled = std::ranges::any_of(pages->canvases, &PageLayout::Canvas::is_tiled);
+  std::string text = "Prints on " + counted(static_cast<std::int64_t>(sheets->size()), "page", "pages");
+  text += is_tiled ? "; the key Home shows each as it is printed." : ".";
+  ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - c.ui.look.px(16));
+  text_muted(c.ui, text);
+  ImGui::PopTextWrapPos();
+}
+
 }  // namespace
 
 void panel_paper(UiContext& context) {
@@ -182,10 +195,7 @@ void panel_paper(UiContext& context) {
   margin_row(context);
   size_row(context);
   placed_rows(context);
-  if (const auto sheets = context.session.sheets(); sheets != nullptr) {
-    text_muted(context.ui,
-               "Prints on " + counted(static_cast<std::int64_t>(sheets->size()), "page", "pages") + ".");
-  }
+  pages_row(context);
   if (why_not_split(context).empty() &&
       button(context.ui, {"paper/split", "Split to fit", "",
                           "Cuts the net into the fewest pieces that fit a page, instead of tiling it",

@@ -34,7 +34,8 @@ void lines_row(UiContext& c) {
   for (std::size_t i = 0; i < kLinePresetNames.size(); ++i)
     if (same_looks(lines, line_styles(static_cast<LinePreset>(i)))) shown = kLinePresetNames[i];
   ImGui::SetNextItemWidth(row(c.ui, "Lines") - c.ui.look.px(16));
-  if (!begin_combo(c.ui, "print/lines", shown)) return;
+  // What stands in brackets explains the name to those who choose.
+  if (!begin_combo(c.ui, "print/lines", shown.substr(0, shown.find(" (")))) return;
   for (std::size_t i = 0; i < kLinePresetNames.size(); ++i) {
     const std::string name(kLinePresetNames[i]);
     if (ImGui::Selectable(name.c_str(), name == shown) && name != shown) {
@@ -123,14 +124,15 @@ void line_row(UiContext& c, const char* name, const char* label, PrintedLine Lin
   }
   ImGui::SameLine();
   const float rest = width - ImGui::GetItemRectSize().x - 2 * ui.look.px(8);
+  const float narrow = std::min(rest / 2, ui.look.px(46));
   double width_mm = now.width_mm;
-  ImGui::SetNextItemWidth(rest / 2);
+  ImGui::SetNextItemWidth(narrow);
   if (number_field(ui, id + "-width", width_mm, "%.2f"))
     set(c, "line width",
         [&](SheetSettings& sheet) { (sheet.lines.*line).width_mm = std::clamp(width_mm, 0.02, 5.0); });
   tooltip(ui, "Width in mm");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(rest / 2);
+  ImGui::SetNextItemWidth(rest - narrow);
   std::string dashes = dash_text(now.dash_mm);
   if (text_field(ui, id + "-dash", dashes, "solid")) {
     if (const auto parts = dash_of(dashes))
@@ -138,7 +140,8 @@ void line_row(UiContext& c, const char* name, const char* label, PrintedLine Lin
     else
       add_toast(ui, "Dashes are ink and gap in turn, in mm: 3 0.9 0.3 0.9.", false);
   }
-  tooltip(ui, "Ink and gap in turn, in mm; empty is a solid line");
+  const std::string tip = "Ink and gap in turn, in mm; empty is a solid line";
+  tooltip(ui, dashes.empty() ? tip : dashes + "\n" + tip);
 }
 
 void fold_rows(UiContext& c) {

@@ -138,6 +138,7 @@ void missing_list(UiContext& c, const GlueTabs& tabs) {
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();
+  ImGui::Dummy(ImVec2(0, 0));
 }
 
 /// The cure for cuts without a tab.

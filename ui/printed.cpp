@@ -2,12 +2,16 @@
 // that lie there.
 #include "ui/printed.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "ui/desk.h"
 
 namespace netwright {
 namespace {
 
-constexpr double kGapMm = 15;  ///< between a front and its back, and before what stands at the right
+constexpr double kGapMm = 15;        ///< between a front and its back, and before what stands at the right
+constexpr double kSpreadGapMm = 40;  ///< above and between the spread sheets of tiled canvases
 
 /// A tile shows the part of the canvas that it prints.
 std::optional<Box2> clip_of(const PageLayout& layout, const PageLayout::Page& page) {
@@ -48,6 +52,38 @@ std::vector<PlacedSheet> place_sheets(const std::vector<Sheet>& sheets, const Pa
     placed.push_back({&sheet, corner, clip, stands_apart});
   }
   return placed;
+}
+
+std::vector<PlacedSheet> spread_tiles(const std::vector<Sheet>& sheets, const PageLayout& layout,
+                                      PrintedSide printed_side, const std::vector<PlacedSheet>& above) {
+  const double width = layout.frame.width_mm + kGapMm;
+  const double height = layout.frame.height_mm + kGapMm;
+  double top = 0;
+  for (const PageLayout::Canvas& canvas : layout.canvases) top = std::max(top, canvas.height_mm);
+  for (const PlacedSheet& sheet : above)
+    if (!sheet.clip) top = std::max(top, sheet.corner_mm.y + sheet.sheet->height_mm);
+  // Each below the middle of its canvas, but none over the one before.
+  std::vector<double> lefts;
+  double free = std::numeric_limits<double>::lowest();
+  for (std::size_t i = 0; i < layout.canvases.size(); ++i) {
+    const PageLayout::Canvas& canvas = layout.canvases[i];
+    const double all = canvas.columns * width - kGapMm;
+    lefts.push_back(std::max(free, canvas_left(layout, static_cast<int>(i)) + (canvas.width_mm - all) / 2));
+    if (canvas.is_tiled()) free = lefts.back() + all + kSpreadGapMm;
+  }
+  std::vector<PlacedSheet> spread;
+  const std::size_t n_sides = sheets.size() / std::max<std::size_t>(layout.pages.size(), 1);
+  for (std::size_t i = 0; i < layout.pages.size() * n_sides; ++i) {
+    const PageLayout::Page& page = layout.pages[i / n_sides];
+    const auto canvas = static_cast<std::size_t>(page.canvas);
+    if (!layout.canvases[canvas].is_tiled()) continue;
+    const auto row = page.row + static_cast<int>(i % n_sides) * layout.canvases[canvas].rows;
+    const bool is_mirrored = sheets[i].is_back || printed_side == PrintedSide::Inside;
+    const int column = is_mirrored ? layout.canvases[canvas].columns - 1 - page.column : page.column;
+    const glm::dvec2 corner(lefts[canvas] + column * width, top + kSpreadGapMm + row * height);
+    spread.push_back({&sheets[i], corner, std::nullopt, true});
+  }
+  return spread;
 }
 
 Box2 box_of(const PlacedSheet& placed, double scale) {

@@ -15,6 +15,12 @@ namespace netwright {
 std::vector<PlacedSheet> place_sheets(const std::vector<Sheet>& sheets, const PageLayout& layout,
                                       PrintedSide printed_side);
 
+/// The sheets of tiled canvases whole, as the printer gives them: with titles and rulers, each where its tile
+/// is but apart from the others, mirrored ones in mirrored order, backs below all fronts. They lie below
+/// whatever else is on the desk; none where nothing is tiled.
+std::vector<PlacedSheet> spread_tiles(const std::vector<Sheet>& sheets, const PageLayout& layout,
+                                      PrintedSide printed_side, const std::vector<PlacedSheet>& above);
+
 /// Where a placed sheet lies in the net's view.
 Box2 box_of(const PlacedSheet& placed, double scale);
 

@@ -22,6 +22,16 @@ namespace {
 /// so short on screen that their dashes run together anyway.
 constexpr std::size_t kManyFaces = 3000;
 constexpr double kRest_s = 0.25;  ///< without motion before everything is drawn again
+/// A net whose pages are not laid out yet is not drawn for so long: what was seen before stays instead of
+/// jumping to and fro.
+constexpr double kPatience_s = 0.5;
+
+/// The session's net will lie on pages in a moment.
+bool is_laying_out(const UiContext& context) {
+  const Session& session = context.session;
+  return context.ui.settings.show_pages && session.is_laying_out() && session.pages() == nullptr &&
+         session.state() == RunState::Idle;
+}
 
 Box2 flipped(glm::dvec2 corner, glm::dvec2 size, double scale) {
   Box2 box;
@@ -82,12 +92,25 @@ void Scene::move_held_pieces(const Arranging& arranging) {
   paged_ = std::make_unique<const PagedNet>(std::move(moved));
 }
 
+bool Scene::waits_for_pages(const UiContext& context) {
+  const auto shown = context.session.shown();
+  const bool is_due = is_laying_out(context) && paged_ != nullptr && !swinging_ && !context.ui.swing &&
+                      shown != nullptr && shown->net.dual == shown_->net.dual;
+  if (!is_due) {
+    waits_since_.reset();
+    return false;
+  }
+  if (!waits_since_) waits_since_ = context.ui.now;
+  context.ui.frames_wanted = std::max(context.ui.frames_wanted, 2);
+  return context.ui.now - *waits_since_ < kPatience_s;
+}
+
 void Scene::take_net(const UiContext& context, Renderers& renderers) {
   const auto shown = context.session.shown();
   const auto layout = context.ui.settings.show_pages ? context.session.pages() : nullptr;
   const std::uint64_t arranged = context.ui.arranging.version;
   const bool was_swinging = swinging_.has_value();
-  follow_swing(context.ui, shown);
+  follow_swing(context, shown);
   if (shown == shown_ && layout == layout_ && arranged == arranged_version_ && !was_swinging) return;
   shown_ = shown;
   layout_ = layout;
@@ -104,16 +127,21 @@ void Scene::take_net(const UiContext& context, Renderers& renderers) {
     renderers.net.set_sheets(paged_ == nullptr ? std::span<const SheetOutline>() : paged_->sheets);
 }
 
-void Scene::follow_swing(UiState& ui, const std::shared_ptr<const ShownNet>& shown) {
+void Scene::follow_swing(const UiContext& context, const std::shared_ptr<const ShownNet>& shown) {
+  UiState& ui = context.ui;
   const std::optional<SwingWish> wish = std::exchange(ui.swing, std::nullopt);
   if (swinging_) {
     const bool is_other = shown == nullptr || shown->net.dual != shown_->net.dual ||
                           !(shown->net.tree == swinging_->swing.goal());
-    if (is_other || !swinging_->swing.advance(ui.now)) swinging_.reset();
+    const bool is_moving = swinging_->swing.advance(ui.now);
+    // It rests where it arrived until it has a place on a page.
+    const bool is_resting = swinging_->is_on_pages && is_laying_out(context) &&
+                            ui.now - swinging_->since < Swing::kSeconds + kPatience_s;
+    if (is_other || !(is_moving || is_resting)) swinging_.reset();
   }
   const bool begins = wish && shown != shown_ && shown && shown_ && shown->net.dual == shown_->net.dual;
   if (begins) {
-    const Swinging began{Swing(*net(), shown->net, *wish, ui.now), net_box(), is_on_pages()};
+    const Swinging began{Swing(*net(), shown->net, *wish, ui.now), net_box(), is_on_pages(), ui.now};
     swinging_ = began;
   }
   if (swinging_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
@@ -133,8 +161,12 @@ void Scene::take_sheets(const UiContext& context, Renderers& renderers) {
   ++version_;
   if (sheets_ == nullptr) return give_tabs(context, renderers);
   is_mirrored_ = side == PrintedSide::Inside;
-  const std::vector<PlacedSheet> placed = place_sheets(*sheets_, *layout_, side);
+  std::vector<PlacedSheet> placed = place_sheets(*sheets_, *layout_, side);
   for (const PlacedSheet& sheet : placed) net_box_.add(box_of(sheet, layout_->scale));
+  const std::vector<PlacedSheet> spread = spread_tiles(*sheets_, *layout_, side, placed);
+  spread_box_ = Box2();
+  for (const PlacedSheet& sheet : spread) spread_box_.add(box_of(sheet, layout_->scale));
+  placed.insert(placed.end(), spread.begin(), spread.end());
   renderers.sheets.set_sheets(placed, layout_->scale, ++sheets_version_);
 }
 
@@ -260,8 +292,10 @@ void Scene::update(const UiContext& context, Renderers& renderers) {
     source_ = source;
     ++file_version_;
   }
-  take_net(context, renderers);
-  take_sheets(context, renderers);
+  if (!waits_for_pages(context)) {
+    take_net(context, renderers);
+    take_sheets(context, renderers);
+  }
   mark_faces(context);
   take_pose(context, renderers);
   notice_motion(context);

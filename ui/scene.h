@@ -38,6 +38,12 @@ class Scene {
     if (swinging_) return &swinging_->swing.net();
     return shown_ == nullptr ? nullptr : (paged_ ? &paged_->net : &shown_->net);
   }
+  /// That, and the tiles' sheets as the printer gives them, which lie below.
+  [[nodiscard]] Box2 desk_box() const {
+    Box2 box = net_box();
+    if (is_printed()) box.add(spread_box_);
+    return box;
+  }
   /// A part of the net is on its way to where it was joined; until it is there the desk stays as it was.
   [[nodiscard]] bool is_swinging() const { return swinging_.has_value(); }
   /// Everything the net's view should show: net and pages.
@@ -68,7 +74,8 @@ class Scene {
   void take_net(const UiContext& context, Renderers& renderers);
   void mark_faces(const UiContext& context);
   void mark_pieces(const UiContext& context);
-  void follow_swing(UiState& ui, const std::shared_ptr<const ShownNet>& shown);
+  void follow_swing(const UiContext& context, const std::shared_ptr<const ShownNet>& shown);
+  [[nodiscard]] bool waits_for_pages(const UiContext& context);
   void move_held_pieces(const Arranging& arranging);
   void take_pose(const UiContext& context, Renderers& renderers);
   void notice_motion(const UiContext& context);
@@ -82,6 +89,7 @@ class Scene {
     Swing swing;
     Box2 box;
     bool is_on_pages;
+    double since;
   };
 
   std::shared_ptr<const PolygonSoup> source_;
@@ -96,6 +104,8 @@ class Scene {
   std::shared_ptr<const PageLayout> tabs_layout_;
   bool is_dark_ = false;
   Box2 net_box_;
+  Box2 spread_box_;
+  std::optional<double> waits_since_;  ///< for the pages of a net that is not drawn yet
   std::optional<Swinging> swinging_;
   std::uint64_t version_ = 1;
   std::uint64_t arranged_version_ = 0;

@@ -204,7 +204,8 @@ struct UiState {
   bool wants_frame_model = false;
   bool wants_frame_net = false;
   bool wants_home = false;
-  FaceId wants_centre;  ///< becomes centre_now at the next frame, for both views alike
+  bool wants_frame_desk = false;  ///< the net's view shows all sheets, not the net alone
+  FaceId wants_centre;            ///< becomes centre_now at the next frame, for both views alike
   FaceId centre_now;
   std::vector<FaceId> wants_flight;  ///< becomes flight_now at the next frame: both views fly to these faces
   std::vector<FaceId> flight_now;

@@ -63,7 +63,8 @@ void view_header(UiContext& context, const std::string& name, const std::string&
     ButtonSpec spec{name + "/" + std::string(entry.name), "", entry.icon, tip_of(context, entry)};
     spec.width = spec.height = look.px(28);
     spec.kind = entry.is_on != nullptr && entry.is_on(context) ? ButtonKind::On : ButtonKind::Plain;
-    spec.is_enabled = is_possible(context, id);
+    spec.is_enabled = is_possible(context, id) && id != state.idle;
+    if (id == state.idle) spec.tip = state.why_idle;
     if (button(ui, spec)) run_action(context, id);
     ImGui::SameLine();
   }

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "core/mesh/mesh.h"
@@ -25,7 +26,9 @@ const Palette& palette_of(const UiState& ui);
 /// What a view's header says beside its title.
 struct HeaderState {
   std::string whole;
-  std::string brief;  ///< where that does not fit; empty = as much of it as does
+  std::string brief;                  ///< where that does not fit; empty = as much of it as does
+  std::optional<ActionId> idle = {};  ///< a switch that would change nothing in this view now,
+  std::string why_idle = {};          ///< and why
 };
 
 /// Title, state and toggle buttons over the view's own background; height as view_header_height.

@@ -352,7 +352,8 @@ bool more_header(const UiState& ui, const std::string& name, bool& is_open) {
 }
 
 bool begin_combo(const UiState& ui, const std::string& name, const std::string& shown) {
-  const bool is_open = ImGui::BeginCombo(("##" + name).c_str(), shown.c_str(),
+  const float room = ImGui::CalcItemWidth() - ImGui::GetStyle().FramePadding.x - ui.look.px(30);
+  const bool is_open = ImGui::BeginCombo(("##" + name).c_str(), shortened(shown, room).c_str(),
                                          ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
   note_widget(ui, name);
   if (is_open) return true;

@@ -21,7 +21,7 @@ using std::filesystem::path;
 
 constexpr std::array<ExportFormat, 6> kFormats = {
     {{".pdf", "PDF, true to scale, all pages"},
-     {".svg", "SVG with layers for cutting machines, one file per page"},
+     {".svg", "SVG with layers for cutting machines"},
      {".dxf", "DXF for cutting machines, one unit is 1 mm"},
      {".png", "PNG, true to scale, one file per page"},
      {".obj", "OBJ with the net as texture coordinates, for painting"},
