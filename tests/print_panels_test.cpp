@@ -243,6 +243,36 @@ TEST(ExportDialog, HasTheSameSettings) {
   EXPECT_TRUE(gui.widgets.find("export/dpi").has_value());
 }
 
+TEST(PaperPanel, TakesPaperOfOnesOwnSize) {
+  Opened gui;
+  gui.open(Section::Paper);
+  EXPECT_FALSE(gui.widgets.find("paper/own-width").has_value());
+  gui.click("paper/format");
+  gui.frames(2);
+  gui.click("paper/format/Own size");
+  gui.frames(2);
+  gui.enter("paper/own-width", "180");
+  gui.enter("paper/own-height", "9999");
+  EXPECT_EQ(gui.session().project().paper.format, custom_paper(180, kMostPaperSide));
+  gui.enter("paper/own-height", "240");
+  ASSERT_TRUE(gui.until([&] {
+    const auto pages = gui.session().pages();
+    return pages && std::max(pages->frame.width_mm, pages->frame.height_mm) == 240;
+  }));
+  EXPECT_EQ(std::min(gui.session().pages()->frame.width_mm, gui.session().pages()->frame.height_mm), 180);
+}
+
+TEST(TabsPanel, LeavesLooseStripsOutWhenTold) {
+  Opened gui;
+  gui.open(Section::Tabs);
+  gui.click("tabs/more");
+  gui.frames(2);
+  ASSERT_TRUE(gui.session().project().sheet.loose_strips);
+  gui.click("tabs/strips");
+  EXPECT_FALSE(gui.session().project().sheet.loose_strips);
+  EXPECT_EQ(gui.session().undo_label(), "Undo loose strips");
+}
+
 TEST(PaperPanel, KnowsSizesByEdgeScaleAndSheets) {
   Opened gui;
   gui.open(Section::Paper);

@@ -15,24 +15,58 @@
 namespace netwright {
 namespace {
 
+constexpr const char* kOwnSize = "Own size";
+
+bool is_own_size(const PaperSetup& paper) {
+  const auto format = find_paper(paper.format);
+  return format && format->name == kCustomPaper;
+}
+
+/// What is in the printer stays there for the next model.
+void take_format(UiContext& c, const std::string& name) {
+  PaperSetup paper = c.session.project().paper;
+  paper.format = name;
+  c.session.set_paper(paper);
+  c.ui.settings.paper = name;
+  c.session.set_desk_paper(name);
+}
+
+void own_size_row(UiContext& c) {
+  const auto format = find_paper(c.session.project().paper.format);
+  double width_mm = format->width_mm;
+  double height_mm = format->height_mm;
+  const float each = (row(c.ui, "Its sides") - c.ui.look.px(24)) / 2;
+  ImGui::SetNextItemWidth(each);
+  bool is_entered = length_field(c.ui, "paper/own-width", width_mm);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(each);
+  is_entered = length_field(c.ui, "paper/own-height", height_mm) || is_entered;
+  tooltip(c.ui, "The shorter side comes first; which one is upright the orientation says");
+  if (is_entered)
+    take_format(c, custom_paper(std::clamp(width_mm, kLeastPaperSide, kMostPaperSide),
+                                std::clamp(height_mm, kLeastPaperSide, kMostPaperSide)));
+}
+
 void format_row(UiContext& c) {
   UiState& ui = c.ui;
   ImGui::SetNextItemWidth(row(ui, "Format") - ui.look.px(16));
-  PaperSetup paper = c.session.project().paper;
-  if (!begin_combo(ui, "paper/format", paper.format)) return;
+  const PaperSetup paper = c.session.project().paper;
+  const bool is_own = is_own_size(paper);
+  if (!begin_combo(ui, "paper/format", is_own ? kOwnSize : paper.format)) return;
   for (const PaperFormat& format : paper_formats()) {
     const std::string name(format.name);
     if (ImGui::Selectable(
             (name + "   " + area_text(format.width_mm, format.height_mm, c.ui.settings.unit)).c_str(),
             name == paper.format) &&
-        name != paper.format) {
-      paper.format = name;
-      c.session.set_paper(paper);
-      c.ui.settings.paper = name;  // what is in the printer stays there for the next model
-      c.session.set_desk_paper(name);
-    }
+        name != paper.format)
+      take_format(c, name);
     note_widget(ui, "paper/format/" + name);
   }
+  if (ImGui::Selectable(kOwnSize, is_own) && !is_own) {
+    const auto format = find_paper(paper.format);
+    take_format(c, custom_paper(format->width_mm, format->height_mm));
+  }
+  note_widget(ui, std::string("paper/format/") + kOwnSize);
   ImGui::EndCombo();
 }
 
@@ -191,6 +225,7 @@ void panel_paper(UiContext& context) {
     return;
   }
   format_row(context);
+  if (is_own_size(context.session.project().paper)) own_size_row(context);
   orientation_row(context);
   margin_row(context);
   size_row(context);

@@ -89,6 +89,10 @@ void more_rows(UiContext& c) {
   if (checkbox(c.ui, "tabs/borders", "On open borders, too", tabs.on_borders,
                "Also where the model is open and nothing is glued"))
     c.session.set_tabs(tabs, "tabs on borders");
+  SheetSettings sheet = c.session.project().sheet;
+  if (checkbox(c.ui, "tabs/strips", "Loose strips", sheet.loose_strips,
+               "For cuts without a tab: strips to glue behind them, where a sheet has room"))
+    c.session.set_sheet(sheet, "loose strips");
   const auto n = static_cast<std::int64_t>(tabs.edits.size());
   if (n == 0) return;
   ButtonSpec reset{"tabs/reset-all", "Reset " + counted(n, "edge", "edges"), "",
