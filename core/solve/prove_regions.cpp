@@ -17,8 +17,9 @@ namespace {
 using Region = ImpossibilityProof::Region;
 using Step = ImpossibilityProof::Step;
 
-constexpr std::size_t kMostFaces = 18;         ///< of a region
-constexpr std::int64_t kRegionSteps = 60'000;  ///< to try one region's forests
+constexpr std::size_t kMostFaces = 18;             ///< of a region
+constexpr std::int64_t kRegionSteps = 15'000;      ///< to try one region's forests
+constexpr std::int64_t kAllRegionSteps = 500'000;  ///< for all of them together
 
 /// Paper around each point: the angles of its faces there, radians.
 IdVector<VertexId, double> turns(const DualGraph& dual) {
@@ -246,11 +247,15 @@ class Search {
 
 std::vector<Region> telling_regions(const DualGraph& dual, const Progress& progress) {
   std::vector<Region> all;
+  std::int64_t left = kAllRegionSteps;
   for (std::vector<FaceId>& faces : candidates(dual)) {
     if (progress.is_cancelled()) return {};
-    std::int64_t steps = kRegionSteps;
+    const std::int64_t allowed = std::min(kRegionSteps, left);
+    std::int64_t steps = allowed;
     if (auto region = region_joins(dual, std::move(faces), steps); region && forced_parts(*region) > 0)
       all.push_back(std::move(*region));
+    left -= allowed - std::max<std::int64_t>(steps, 0);
+    if (left <= 0) break;
   }
   std::stable_sort(all.begin(), all.end(), [](const Region& a, const Region& b) {
     const int more = forced_parts(a) - forced_parts(b);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/predicates.h"
+#include "core/base/random.h"
 #include "core/solve/prove_regions.h"
 #include "core/unfold/overlap.h"
 
@@ -10,6 +11,8 @@ namespace netwright {
 namespace {
 
 using Joins = std::vector<int>;
+
+constexpr int kChances = 60;
 
 /// Faces of the region that folds hold together, by the number of one of them, and where each lies.
 struct Forest {
@@ -54,7 +57,11 @@ class Trial {
     Forest none;
     for (std::size_t i = 0; i < region_.faces.size(); ++i) none.tree.push_back(static_cast<int>(i));
     none.placement.resize(region_.faces.size());
-    if (!go_on(0, none)) return std::nullopt;
+    if (is_whole_by_chance(none)) {
+      region_.joins.emplace_back(doors_.size(), 0);
+      return std::move(region_);
+    }
+    if (!go_on(0, none) && !is_whole_) return std::nullopt;
     return std::move(region_);
   }
 
@@ -64,13 +71,35 @@ class Trial {
     return at != region_.faces.end() && *at == f ? static_cast<int>(at - region_.faces.begin()) : -1;
   }
 
-  /// False when there are too many to try.
+  /// Joins at random: where that joins everything, as it soon does in most regions, all is known.
+  bool is_whole_by_chance(const Forest& none) {
+    Random random(1);
+    std::vector<InnerHinge> order = hinges_;
+    for (int k = 0; k < kChances; ++k) {
+      for (std::size_t i = order.size(); i > 1; --i)
+        std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+      Forest forest = none;
+      std::size_t n_trees = region_.faces.size();
+      for (const InnerHinge& hinge : order) {
+        if (of(forest.tree, hinge.a) == of(forest.tree, hinge.b)) continue;
+        Forest folded = forest;
+        --steps_;
+        if (!join(folded, hinge)) continue;
+        forest = std::move(folded);
+        --n_trees;
+      }
+      if (n_trees == 1) return true;
+    }
+    return false;
+  }
+
+  /// False when there are too many to try, or nothing is left to learn.
   bool go_on(std::size_t next, const Forest& forest) {
     if (--steps_ < 0) return false;
     if (!all_may_leave(next, forest)) return true;
     if (next == hinges_.size()) {
       note(forest);
-      return true;
+      return !is_whole_;
     }
     const InnerHinge& hinge = hinges_[next];
     if (of(forest.tree, hinge.a) != of(forest.tree, hinge.b)) {
@@ -123,6 +152,7 @@ class Trial {
       return;
     std::erase_if(all, [&](const Joins& other) { return is_finer(other, joins); });
     all.push_back(joins);
+    is_whole_ = std::all_of(joins.begin(), joins.end(), [&](int group) { return group == joins.front(); });
   }
 
   template <class T>
@@ -137,6 +167,7 @@ class Trial {
   ImpossibilityProof::Region region_;
   std::vector<int> doors_;
   std::vector<InnerHinge> hinges_;
+  bool is_whole_ = false;  ///< all doors can be joined: nothing is coarser
 };
 
 }  // namespace
