@@ -93,20 +93,7 @@ Points paper_estimate(const PaperProgram& program) {
   return law_points(points.front().x, points.back().x, [&](double x) { return std::exp(logs) * law(x); });
 }
 
-std::string time_plot(const Sizes& sizes, const std::string& time_words) {
-  const auto least = [](const BenchFigures& f) { return std::max(f.times.min, kLeastSeconds); };
-  const auto most = [](const BenchFigures& f) { return std::max(f.times.max, kLeastSeconds); };
-  const auto median = [](const BenchFigures& f) { return std::max(f.times.median, kLeastSeconds); };
-  const auto mean = [](const BenchFigures& f) { return std::max(f.times.filtered_mean, kLeastSeconds); };
-  double low = 1e-3;
-  double high = 1e3;
-  for (const BenchFigures& f : sizes) {
-    low = std::min(low, least(f));
-    high = std::max(high, most(f));
-  }
-  ChartScale y{low / 1.5, high * 1.5, true};
-  y.ticks = decade_ticks(y.low, y.high, tick_words);
-  Chart chart({"Time to unfold one model", "Faces", time_words}, faces_scale(sizes, true), y);
+void add_paper_times(Chart& chart) {
   for (std::size_t i = 0; i < kPaperPrograms.size(); ++i) {
     const Points points = points_of(kPaperPrograms[i], [](const PaperFigures& f) { return f.filtered_mean; });
     chart.curve(points, kSeries[i]);
@@ -118,20 +105,40 @@ std::string time_plot(const Sizes& sizes, const std::string& time_words) {
   chart.label(estimate.back(),
               R"(their c |F|<tspan dy="-5" font-size="10">3</tspan><tspan dy="5">&#160;log |F|</tspan>)",
               kSeries[0]);
-  chart.band(points_of(sizes, least), points_of(sizes, most), kOwn);
-  chart.curve(points_of(sizes, mean), kOwn);
-  chart.marks(points_of(sizes, mean), kOwn, ChartMark::Circle);
-  chart.label(points_of(sizes, mean).back(), "Netwright, mean", kOwn);
-  chart.label(points_of(sizes, most).back(), "longest", kOwn);
-  chart.label(points_of(sizes, least).back(), "shortest", kOwn);
+}
+
+void add_median_law(Chart& chart, const Sizes& sizes) {
   const BenchGrowth growth = bench_growth(sizes);
-  if (growth.median_time) {
-    const PowerLaw law = *growth.median_time;
-    chart.curve(law_points(growth.least_faces, growth.most_faces, [&](double x) { return law.at(x); }), kOwn,
-                ChartStroke::Dashed);
-    chart.label({growth.most_faces, law.at(growth.most_faces)}, power_words("median", law.exponent), kOwn);
-  }
-  chart.marks(points_of(sizes, median), kOwn, ChartMark::Ring);
+  if (!growth.median_time) return;
+  const PowerLaw law = *growth.median_time;
+  chart.curve(law_points(growth.least_faces, growth.most_faces, [&](double x) { return law.at(x); }), kOwn,
+              ChartStroke::Dashed);
+  chart.label({growth.most_faces, law.at(growth.most_faces)}, power_words("median", law.exponent), kOwn);
+}
+
+std::string time_plot(const Sizes& sizes, const std::string& time_words) {
+  const auto curve_of = [&](double BenchStats::*figure) {
+    return points_of(sizes, [&](const BenchFigures& f) { return std::max(f.times.*figure, kLeastSeconds); });
+  };
+  const Points least = curve_of(&BenchStats::min);
+  const Points mean = curve_of(&BenchStats::filtered_mean);
+  const Points most = curve_of(&BenchStats::max);
+  double low = 1e-3;
+  double high = 1e3;
+  for (const glm::dvec2 p : least) low = std::min(low, p.y);
+  for (const glm::dvec2 p : most) high = std::max(high, p.y);
+  ChartScale y{low / 1.5, high * 1.5, true};
+  y.ticks = decade_ticks(y.low, y.high, tick_words);
+  Chart chart({"Time to unfold one model", "Faces", time_words}, faces_scale(sizes, true), y);
+  add_paper_times(chart);
+  chart.band(least, most, kOwn);
+  chart.curve(mean, kOwn);
+  chart.marks(mean, kOwn, ChartMark::Circle);
+  chart.label(mean.back(), "Netwright, mean", kOwn);
+  chart.label(most.back(), "longest", kOwn);
+  chart.label(least.back(), "shortest", kOwn);
+  add_median_law(chart, sizes);
+  chart.marks(curve_of(&BenchStats::median), kOwn, ChartMark::Ring);
   return std::move(chart).svg();
 }
 

@@ -149,32 +149,40 @@ void add_tubes_end(PolygonSoup& soup, int nx, int nz, const std::array<int, 4>& 
   add(corner[3], corner[0], opening(0, 0));
 }
 
+/// The corners of the box and of its openings at one height, the box's own four first; returns the first's
+/// index.
+int add_tubes_level(PolygonSoup& soup, int nx, int nz, double y, double gap) {
+  const double width = nx + (nx + 1) * gap;
+  const double depth = nz + (nz + 1) * gap;
+  const auto line = [gap](int i) {
+    const int n_before = i / 2;
+    return n_before * (1 + gap) + gap + i % 2;
+  };
+  const int first = add_point(soup, {0, y, 0});
+  add_point(soup, {width, y, 0});
+  add_point(soup, {width, y, depth});
+  add_point(soup, {0, y, depth});
+  for (int j = 0; j < 2 * nz; ++j)
+    for (int i = 0; i < 2 * nx; ++i) add_point(soup, {line(i), y, line(j)});
+  return first;
+}
+
+/// Two triangles for a side with these corners.
+void add_wall(PolygonSoup& soup, int a, int b, int c, int d) {
+  add_triangle(soup, a, b, c);
+  add_triangle(soup, a, c, d);
+}
+
 }  // namespace
 
 PolygonSoup box_with_tubes(int nx, int nz, double length, double gap) {
   PolygonSoup soup;
   soup.name = "box with tubes" + sizes(nx, nz);
-  const auto add_level = [&](double y) {
-    const double width = nx + (nx + 1) * gap;
-    const double depth = nz + (nz + 1) * gap;
-    const auto line = [gap](int i) { return (i / 2 + 1) * gap + (i + 1) / 2; };
-    const int first = add_point(soup, {0, y, 0});
-    add_point(soup, {width, y, 0});
-    add_point(soup, {width, y, depth});
-    add_point(soup, {0, y, depth});
-    for (int j = 0; j < 2 * nz; ++j)
-      for (int i = 0; i < 2 * nx; ++i) add_point(soup, {line(i), y, line(j)});
-    return first;
-  };
-  const int low = add_level(0);
-  const int high = add_level(length);
-  const auto add_wall = [&](int a, int b, int c, int d) {
-    add_triangle(soup, a, b, c);
-    add_triangle(soup, a, c, d);
-  };
+  const int low = add_tubes_level(soup, nx, nz, 0, gap);
+  const int high = add_tubes_level(soup, nx, nz, length, gap);
   for (int i = 0; i < 4; ++i) {
     const int j = (i + 1) % 4;
-    add_wall(low + j, low + i, high + i, high + j);
+    add_wall(soup, low + j, low + i, high + i, high + j);
   }
   const auto opening = [&](int level, int i, int j) { return level + 4 + j * 2 * nx + i; };
   for (int j = 0; j < 2 * nz; j += 2) {
@@ -183,8 +191,8 @@ PolygonSoup box_with_tubes(int nx, int nz, double length, double gap) {
       for (std::size_t k = 0; k < 4; ++k) {
         const auto [ax, az] = kAround[k];
         const auto [bx, bz] = kAround[k + 1];
-        add_wall(opening(low, i + ax, j + az), opening(low, i + bx, j + bz), opening(high, i + bx, j + bz),
-                 opening(high, i + ax, j + az));
+        add_wall(soup, opening(low, i + ax, j + az), opening(low, i + bx, j + bz),
+                 opening(high, i + bx, j + bz), opening(high, i + ax, j + az));
       }
     }
   }
