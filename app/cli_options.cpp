@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "app/cli_aims.h"
 #include "core/base/error.h"
 #include "core/base/paper.h"
 #include "core/mesh/read.h"
@@ -170,6 +171,7 @@ class Reader {
     note_given();
     take_pins();
     take_exports();
+    apply_aims(aims_, unfold_.polish);
     for (const std::string& output : outputs_) unfold_.outputs.emplace_back(output);
     // "a4" is understood; what is printed calls it by its own name.
     if (const auto paper = find_paper(unfold_.paper.format)) {
@@ -196,6 +198,7 @@ class Reader {
             within(std::int64_t{0}, std::numeric_limits<std::int64_t>::max(), "a whole number, 0 or more"))
         ->capture_default_str();
     add_search(app, unfold_, "Longest search in seconds, 0 = none");
+    add_polish(app);
     app.add_option("--up", up_,
                    "Which axis is up, where the format's custom is wrong; the height is along it")
         ->type_name("y|z")
@@ -266,6 +269,24 @@ class Reader {
         "--report", unfold_.has_report,
         "Tell how well the net can be built: smallest edge, sharpest corner, thinnest neck, tabs, sheets");
     app.add_flag("--json", unfold_.is_json, "Print the result as one JSON object");
+  }
+
+  void add_polish(CLI::App& app) {
+    app.add_option("--polish", unfold_.polish.effort,
+                   "How long to improve the first net, in seconds of a usual machine (counted work, so that "
+                   "the net is the same everywhere); 0 = not at all")
+        ->type_name("S")
+        ->check(within(0.0, 3600.0, "a number of seconds from 0 to 3600"))
+        ->capture_default_str();
+    app.add_option(
+           "--aim", aims_,
+           "What for, each with a weight: short cuts, a compact net, few necks under 3 mm (these three "
+           "weigh 1), a net that fits one page, its root in the middle, cuts that are hidden")
+        ->type_name("cuts|compact|necks|paper|root|hidden[=W],…")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->take_all()
+        ->check(word_that(why_not_aim));
   }
 
   void add_paper(CLI::App& app) {
@@ -600,6 +621,7 @@ class Reader {
   InfoCommand info_;
   BenchCommand bench_;
   std::vector<std::string> outputs_;
+  std::vector<std::string> aims_;
   std::vector<std::string> must_fold_, must_cut_, together_;
   std::vector<std::string> bench_paths_;
   std::string search_ = "fast";

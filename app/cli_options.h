@@ -35,6 +35,7 @@ struct UnfoldCommand {
   int streams = 2;
   int threads = 0;  ///< 0 = as many as there are streams and cores
   SearchStyle search = SearchStyle::Fast;
+  PolishSettings polish;
   Recipe recipe;                  ///< what is done to the model first,
   std::optional<double> weld_mm;  ///< and what can only be said in the file's terms once it is read:
   LeaveOut leave_out;

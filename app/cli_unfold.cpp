@@ -5,6 +5,7 @@
 #include <memory>
 #include <system_error>
 
+#include "app/cli_aims.h"
 #include "app/cli_commands.h"
 #include "app/cli_model.h"
 #include "app/cli_pieces.h"
@@ -15,6 +16,7 @@
 #include "core/base/counted.h"
 #include "core/base/error.h"
 #include "core/project/commands.h"
+#include "core/project/polish_aim.h"
 #include "core/project/project_file.h"
 #include "core/project/proof_file.h"
 #include "core/project/tab_aim.h"
@@ -88,6 +90,10 @@ SolveOptions solve_options(const UnfoldCommand& command, const CliModel& model) 
   options.pins = model.start ? pins_with_edits(project) : project.pins;
   options.from = model.start;
   options.stays_near = model.start != nullptr;
+  Project printed = project;
+  printed.paper = command.paper;
+  printed.size = command.size;
+  options.polish = polish_aim(printed, command.polish);
   options.tabs = tab_aim(command.paper, command.size, project.tabs);
   return options;
 }
@@ -169,6 +175,7 @@ Drawing draw(const UnfoldCommand& command, const CliModel& model, const UnfoldOu
 void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, const Drawing& drawing) {
   print(model_line(outcome.mesh));
   print(result_line(outcome, command));
+  if (const std::string line = polish_line(outcome.result); !line.empty()) print(line);
   if (!drawing.split.cut.empty())
     print("Cut into " + std::to_string(drawing.net.n_pieces) + " pieces that fit a page of " +
           command.paper.format + ".");
@@ -238,6 +245,7 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
       json.set("printed_pieces", drawing.net.n_pieces);
     if (command.has_report && result.is_proved)
       json.set("report", build_report_json(drawing.net, drawing.layout));
+    if (result.polished) json.set("polish", polish_json(result));
     if (model.replaced) json.set("replaced", replaced_json(*model.replaced));
     if (why) json.set("why", why_json(*why, mesh));
     if (pieces) json.set("choices", pieces_json(*pieces));

@@ -37,13 +37,18 @@ struct Ended {
   std::string err;
 };
 
-/// A running netwright-cli; its two outputs go to files beside the test's own.
+/// A running netwright-cli; its two outputs go to files beside the test's own. A net is not polished unless a
+/// test says so: that would take a second of each.
 class Child {
  public:
   Child(const std::filesystem::path& folder, const std::vector<std::string>& arguments)
       : out_(folder / "stdout.txt"), err_(folder / "stderr.txt") {
     std::vector<std::string> words{NETWRIGHT_CLI};
     words.insert(words.end(), arguments.begin(), arguments.end());
+    const bool is_search = !arguments.empty() && arguments.front() == "unfold" && arguments.size() > 1 &&
+                           arguments[1].front() != '-';
+    if (is_search && std::ranges::find(words, "--polish") == words.end())
+      words.insert(words.end(), {"--polish", "0"});
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);

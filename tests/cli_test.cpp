@@ -234,6 +234,30 @@ TEST_F(CommandLine, WritesNothingWhenTheTimeIsUp) {
   EXPECT_EQ(files(), (Strings{"endless.obj"}));
 }
 
+TEST_F(CommandLine, PolishesTheNetAndTellsSo) {
+  const std::string model = write("ball.obj", shapes::to_obj(shapes::icosphere(3)));
+  const Ended usual = run({"unfold", model, "--polish", "0.1", "--height", "100"});
+  EXPECT_NE(usual.out.find("Polished: cuts "), std::string::npos) << usual.out;
+  EXPECT_EQ(run({"unfold", model}).out.find("Polished"), std::string::npos);
+  const Json json = run_json({"unfold", model, "--polish", "0.1", "--aim", "necks=3,compact", "--json"}, 0);
+  const Json* polish = json.find("polish");
+  ASSERT_NE(polish, nullptr);
+  EXPECT_GT(polish->find("after")->find("hull_fill")->number(),
+            1.1 * *polish->find("before")->find("hull_fill")->number());
+  EXPECT_EQ(polish->find("after")->find("size_for_page"), nullptr);
+  const Json page =
+      run_json({"unfold", model, "--polish", "0.1", "--aim", "paper", "--height", "60", "--json"}, 0);
+  EXPECT_LE(page.find("polish")->find("after")->find("size_for_page")->number(), 1);
+}
+
+TEST_F(CommandLine, RefusesAimsThatItDoesNotKnow) {
+  for (const char* aim : {"beauty", "necks=", "necks=-1", "necks=1000", "=2"}) {
+    const Ended ended = run({"unfold", write("cube.obj", shapes::cube()), "--aim", aim});
+    EXPECT_EQ(ended.status, 1) << aim;
+    EXPECT_NE(ended.err.find("it must be cuts, compact"), std::string::npos) << ended.err;
+  }
+}
+
 TEST_F(CommandLine, TellsWhyThereIsNoNet) {
   const std::string model = write("hats.obj", shapes::to_obj(testing::with_hats(shapes::tetrahedron())));
   const Json json = run_json({"unfold", model, "--must-fold", "1:2", "--time-limit", "1", "--json"}, 3);

@@ -27,7 +27,7 @@ RunLog::RunLog(SolveResult& result)
 RunLog::RunLog(const RunLog& whole, Extent extent) : RunLog(whole) {
   if (extent == Extent::Whole || static_cast<std::size_t>(n_moves()) <= kMostMoves) return;
   moves_before_ += n_moves();
-  first_episode_ = log_->size() - 1;
+  first_episode_ = static_cast<std::size_t>(n_searched()) - 1;
   index();
   moves_before_ -= n_moves();
 }
@@ -76,10 +76,16 @@ std::int64_t RunLog::moves(int position) const { return moves_before_ + position
 
 int RunLog::restarts(int position) const {
   // A model of several parts has an episode more for each of them: those are no restarts.
-  return std::max(0, restarts_ - (n_episodes() - 1 - episode_at(position)));
+  return std::max(0, restarts_ - std::max(0, n_searched() - 1 - episode_at(position)));
+}
+
+int RunLog::n_searched() const {
+  const auto is_polish = [](const Episode& episode) { return episode.is_polish; };
+  return n_episodes() - static_cast<int>(std::count_if(log_->begin(), log_->end(), is_polish));
 }
 
 int RunLog::best_position() const {
+  if (log_->back().is_polish) return n_steps_ - 1;
   const auto first = std::lower_bound(fewest_.begin(), fewest_.end(), fewest_.back(), std::greater<>());
   return static_cast<int>(first - fewest_.begin());
 }

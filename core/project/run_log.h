@@ -25,7 +25,7 @@ class RunLog {
   /// Without a copy, the part of a log that can be followed.
   RunLog(const RunLog& whole, Extent extent);
 
-  /// Pictures there are: each episode's start and every move after it.
+  /// Pictures there are: each episode's start and every move after it, at last the nets that polish reached.
   [[nodiscard]] int n_steps() const { return n_steps_; }
   /// Moves in all pictures.
   [[nodiscard]] std::int64_t n_moves() const { return n_steps_ - n_episodes(); }
@@ -38,7 +38,7 @@ class RunLog {
   [[nodiscard]] int restarts(int position) const;
   /// The move that led there; none at an episode's start.
   [[nodiscard]] std::optional<MoveRecord> move(int position) const;
-  /// The first picture with the fewest overlaps of all.
+  /// The first picture with the fewest overlaps of all; the last one, when that is a polished net.
   [[nodiscard]] int best_position() const;
 
   /// Overlaps over moves for the chart, thinned to about `most` values; `stride` moves lie between two.
@@ -54,6 +54,7 @@ class RunLog {
   }
 
  private:
+  [[nodiscard]] int n_searched() const;  ///< episodes that are not of polish
   [[nodiscard]] int n_episodes() const { return static_cast<int>(begins_.size()); }
   void index();
 

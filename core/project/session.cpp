@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/project/commands.h"
+#include "core/project/polish_aim.h"
 #include "core/project/session_impl.h"
 #include "core/project/tab_aim.h"
 
@@ -53,6 +54,7 @@ void Session::Impl::start_run(SearchRun::Start start, std::shared_ptr<const Unfo
   options.pins = stays_near ? pins_with_edits(project()) : project().pins;
   options.from = std::move(from);
   options.stays_near = stays_near;
+  options.polish = polish_aim(project(), polish);
   options.tabs = tab_aim(project().paper, project().size, project().tabs);
   is_timed_out = false;
   step_of_run.reset();
@@ -205,6 +207,8 @@ double Session::speed() const { return impl_->speed; }
 void Session::set_threads(int threads) { impl_->threads = std::max(threads, 0); }
 void Session::set_streams(int streams) { impl_->streams = std::max(streams, 1); }
 int Session::streams() const { return impl_->streams; }
+void Session::set_polish(const PolishSettings& settings) { impl_->polish = settings; }
+const PolishSettings& Session::polish() const { return impl_->polish; }
 void Session::set_time_limit(double seconds) { impl_->time_limit_s = std::max(seconds, 0.0); }
 double Session::time_limit() const { return impl_->time_limit_s; }
 

@@ -170,6 +170,9 @@ class Session {
   [[nodiscard]] int streams() const;
   void set_time_limit(double seconds);
   [[nodiscard]] double time_limit() const;
+  /// What nets are polished for and how long, from the next run on; at first not at all.
+  void set_polish(const PolishSettings& settings);
+  [[nodiscard]] const PolishSettings& polish() const;
   /// How many threads run the streams, from the next run on; 0 = all the machine has. Never decides the net.
   void set_threads(int threads);
 

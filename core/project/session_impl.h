@@ -258,6 +258,7 @@ struct Session::Impl {
   double speed = std::numeric_limits<double>::infinity();
   int streams = SolveOptions{}.streams;
   int threads = 0;
+  PolishSettings polish{.effort = 0};
   std::string desk_paper;  ///< empty: that of the model before
   double time_limit_s = 60;
   int shown_tenths = -1;  ///< of the running clock, when poll() last told of a change

@@ -63,14 +63,6 @@ void Portfolio::return_home() {
   cpu_seconds_[static_cast<std::size_t>(winner_)] += thread_cpu_seconds() - before;
 }
 
-std::pair<double, double> Portfolio::refine(const NetJudge& judge, int most_looks) {
-  if (!is_solved()) return {0, 0};
-  const double before = thread_cpu_seconds();
-  const auto costs = streams_[static_cast<std::size_t>(winner_)]->refine(judge, most_looks);
-  cpu_seconds_[static_cast<std::size_t>(winner_)] += thread_cpu_seconds() - before;
-  return costs;
-}
-
 void Portfolio::find_winner() {
   for (int k = 0; k < n_streams(); ++k) {
     const bool is_better = winner_ < 0 || stream(k).iterations() < stream(winner_).iterations();

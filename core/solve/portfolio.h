@@ -27,9 +27,6 @@ class Portfolio {
   /// Once solved: brings the winner back to `from` as far as that goes without overlaps.
   void return_home();
 
-  /// Once solved: TabuSolver::refine of the winner.
-  std::pair<double, double> refine(const NetJudge& judge, int most_looks);
-
   [[nodiscard]] bool is_solved() const { return winner_ >= 0; }
   /// The stream to look at: the winner, else the one with the fewest overlaps now.
   [[nodiscard]] int lead() const;

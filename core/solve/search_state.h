@@ -51,6 +51,9 @@ class SearchState {
   [[nodiscard]] const std::vector<int>& overlapping_faces() const { return overlapping_; }
   [[nodiscard]] const Rigid2& placement(int f) const { return placement_[at(f)]; }
 
+  /// Where a vertex of the model's parts lies.
+  [[nodiscard]] const glm::dvec2& placed(int vert) const { return world_[at(vert)]; }
+
   [[nodiscard]] int face_at(int position) const { return order_[at(position)]; }
   [[nodiscard]] int position(int f) const { return position_[at(f)]; }
   /// Subtree of f: positions position(f) … end(f)-1.

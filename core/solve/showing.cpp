@@ -188,8 +188,7 @@ void Showing::post(const TabuSolver& solver, const MoveRecord* last_move, bool i
   hooks_->snapshots->post(std::move(snapshot));
 }
 
-void Showing::finish(const Net& net, std::vector<Overlap> overlaps) {
-  if (hooks_->snapshots == nullptr) return;
+std::shared_ptr<Snapshot> Showing::at_end(const Net& net, std::vector<Overlap> overlaps) const {
   const TabuSolver& solver = (*portfolios_)[component_]->stream(stream_);
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->net = net;
@@ -199,7 +198,22 @@ void Showing::finish(const Net& net, std::vector<Overlap> overlaps) {
   snapshot->restarts = solver.restarts();
   snapshot->stream = stream_;
   snapshot->best_overlaps = static_cast<int>(snapshot->overlaps.size());
+  snapshot->polish = polish_;
   add_history(solver, *snapshot);
+  return snapshot;
+}
+
+bool Showing::show_polished(const Net& net, const PolishView& view) {
+  if (hooks_->snapshots == nullptr) return true;
+  if (hooks_->pace && hooks_->pace() == Pace::Stop) return false;
+  polish_ = view;
+  hooks_->snapshots->post(at_end(net, {}));
+  return true;
+}
+
+void Showing::finish(const Net& net, std::vector<Overlap> overlaps) {
+  if (hooks_->snapshots == nullptr) return;
+  auto snapshot = at_end(net, std::move(overlaps));
   snapshot->is_final = true;
   hooks_->snapshots->post(std::move(snapshot));
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/solve/portfolio.h"
@@ -42,6 +43,9 @@ class Showing {
   void before_round();
   /// Shows what the round brought, as fast or slow as the watcher wants. False when the watcher said stop.
   bool after_round();
+  /// Posts a net that polish has reached, when it is due; waits while the watcher pauses. False when the
+  /// watcher said stop.
+  bool show_polished(const Net& net, const PolishView& view);
   /// Posts the finished net.
   void finish(const Net& net, std::vector<Overlap> overlaps);
 
@@ -60,6 +64,7 @@ class Showing {
   void post(const TabuSolver& solver, const MoveRecord* last_move, bool is_at_end);
   [[nodiscard]] std::vector<Overlap> known_overlaps() const;
   void add_history(const TabuSolver& solver, Snapshot& snapshot) const;
+  [[nodiscard]] std::shared_ptr<Snapshot> at_end(const Net& net, std::vector<Overlap> overlaps) const;
 
   WholeTree* whole_;
   const std::vector<SearchModel>* models_;
@@ -70,6 +75,7 @@ class Showing {
   Place place_;
   std::vector<Place> round_start_;
   std::int64_t earlier_moves_ = 0;
+  std::optional<PolishView> polish_;
 };
 
 }  // namespace netwright

@@ -21,11 +21,19 @@ struct MoveRecord {
   int overlaps_after = 0;
 };
 
-/// Moves between two (re)starts, with the tree they started from.
+/// Moves between two (re)starts, with the tree they started from. Polish adds episodes without moves, one for
+/// each better net.
 struct Episode {
   UnfoldTree start;
   int overlaps_at_start = 0;
   std::vector<MoveRecord> moves;
+  bool is_polish = false;
+};
+
+/// How far polish is.
+struct PolishView {
+  double fraction = 0;        ///< of the work it may do
+  std::vector<double> costs;  ///< what was left to wish for (see aims.h), at the start and after each round
 };
 
 struct Snapshot {
@@ -41,6 +49,7 @@ struct Snapshot {
   std::vector<int> history;  ///< overlaps after each move of the stream shown, thinned to at most 2000 values
   std::int64_t history_stride = 1;
   std::optional<MoveRecord> last_move;
+  std::optional<PolishView> polish;  ///< set from the first net on; every net shown then is a proved one
   bool is_final = false;
 };
 

@@ -1,4 +1,5 @@
-// Runs one portfolio per component of the mesh, then lays the whole out, detects anew and has it proved.
+// Runs one portfolio per component of the mesh, then lays the whole out, detects anew, has it proved, and
+// finishes it.
 #include "core/solve/solve.h"
 
 #include <algorithm>
@@ -6,10 +7,10 @@
 #include "core/base/cpu_time.h"
 #include "core/base/error.h"
 #include "core/base/predicates.h"
+#include "core/solve/finish.h"
 #include "core/solve/portfolio.h"
 #include "core/solve/prove_impossible.h"
 #include "core/solve/showing.h"
-#include "core/solve/tab_room.h"
 #include "core/unfold/obstruction.h"
 
 namespace netwright {
@@ -50,6 +51,9 @@ class SolveJob {
       if (result_.overlaps.empty()) prove();
       if (result_.is_proved || !is_claimed() || progress_.is_cancelled()) break;
     }
+    if (result_.is_proved && !progress_.is_cancelled())
+      Finish(dual_, models_, options_, progress_, whole_, *showing_, result_).run();
+    showing_->finish(result_.net, result_.overlaps);
     result_.was_cancelled = progress_.is_cancelled() && !result_.is_proved;
     return std::move(result_);
   }
@@ -64,26 +68,24 @@ class SolveJob {
                                                         folds_to_start_from(models_[c])));
       whole_.set(models_[c], portfolios_[c]->stream(portfolios_[c]->lead()).state().folds());
     }
-    Showing showing(whole_, models_, portfolios_, hooks_);
+    showing_ = std::make_unique<Showing>(whole_, models_, portfolios_, hooks_);
     for (std::size_t c = 0; c < models_.size(); ++c) {
       Portfolio& portfolio = *portfolios_[c];
-      showing.begin(c);
+      showing_->begin(c);
       while (!is_impossible() && !portfolio.is_solved() && !progress_.is_cancelled() &&
              (options_.max_iterations == 0 || portfolio.mark() < options_.max_iterations)) {
-        showing.before_round();
+        showing_->before_round();
         portfolio.advance(options_.max_iterations);
-        if (!showing.after_round()) progress_.cancel();
+        if (!showing_->after_round()) progress_.cancel();
         if (portfolio.mark() >= kProveAfter && !portfolio.is_solved()) ask_if_possible();
       }
       if (options_.stays_near) portfolio.return_home();
       whole_.set(models_[c], portfolio.stream(portfolio.best()).best_folds());
     }
-    make_room_for_tabs();
     const double before = thread_cpu_seconds();
     result_.net = whole_.net();
     result_.overlaps = find_overlaps(result_.net, kShownDepth);
     result_.cpu_seconds += thread_cpu_seconds() - before;
-    showing.finish(result_.net, result_.overlaps);
   }
 
   [[nodiscard]] bool is_impossible() const {
@@ -106,20 +108,6 @@ class SolveJob {
     if (answer.answer == ProveAnswer::Proved)
       result_.impossible = std::make_shared<const ImpossibilityProof>(std::move(answer.proof));
     result_.cpu_seconds += thread_cpu_seconds() - before;
-  }
-
-  void make_room_for_tabs() {
-    if (!options_.tabs || !options_.tabs->settings.is_on || !is_claimed()) return;
-    const double scale = options_.tabs->scale(whole_.net());
-    result_.tabless_before = result_.tabless_after = 0;
-    for (std::size_t c = 0; c < models_.size(); ++c) {
-      const TabRoom room(*dual_, models_[c], scale, options_.tabs->settings);
-      const int looks = options_.tabs->looks_per_face * models_[c].n_faces;
-      const auto [before, after] = portfolios_[c]->refine(room, looks);
-      result_.tabless_before += static_cast<int>(before);
-      result_.tabless_after += static_cast<int>(after);
-      whole_.set(models_[c], portfolios_[c]->stream(portfolios_[c]->best()).best_folds());
-    }
   }
 
   [[nodiscard]] std::vector<char> folds_to_start_from(const SearchModel& model) const {
@@ -153,7 +141,7 @@ class SolveJob {
       add_collisions(c);
       for (const SearchEpisode& episode : solver.episodes()) {
         replay.set(models_[c], episode.start_folds);
-        Episode shown{replay.tree(), episode.overlaps_at_start, {}};
+        Episode shown{replay.tree(), episode.overlaps_at_start, {}, false};
         for (const auto& move : episode.moves) shown.moves.push_back(to_record(models_[c], move));
         result_.log.push_back(std::move(shown));
       }
@@ -185,6 +173,7 @@ class SolveJob {
   ThreadPool& pool_;
   WholeTree whole_;
   std::vector<std::unique_ptr<Portfolio>> portfolios_;
+  std::unique_ptr<Showing> showing_;
   SolveResult result_;
   bool has_asked_ = false;  ///< whether there can be a net
 };

@@ -12,6 +12,7 @@
 #include "core/base/mailbox.h"
 #include "core/base/progress.h"
 #include "core/base/worker.h"
+#include "core/solve/aims.h"
 #include "core/solve/constraints.h"
 #include "core/solve/snapshot.h"
 #include "core/unfold/glue_tabs.h"
@@ -43,9 +44,11 @@ struct SolveOptions {
   Constraints pins{};  ///< what every result keeps, also one that is not a net yet
   /// The tree to start from instead of a new one, mended where it breaks pins; may be any forest.
   std::shared_ptr<const UnfoldTree> from{};
-  bool stays_near = false;          ///< change as little of `from` as overlaps and pins allow
-  std::optional<TabAim> tabs{};     ///< what else a net should have; decides the answer
-  std::int64_t max_iterations = 0;  ///< per stream, 0 = no limit; decides the answer, unlike a time limit
+  bool stays_near = false;            ///< change as little of `from` as overlaps and pins allow
+  std::optional<PolishAim> polish{};  ///< what else a net should be; decides the answer, like tabs. Not done
+                                      ///< to one that stays near
+  std::optional<TabAim> tabs{};       ///< what else it should have
+  std::int64_t max_iterations = 0;    ///< per stream, 0 = no limit; decides the answer, unlike a time limit
 };
 
 /// How the watcher wants the next move of the shown stream.
@@ -79,16 +82,18 @@ struct SolveResult {
   /// once with an isolated face whose overlaps are deep enough.
   std::shared_ptr<const ImpossibilityProof> impossible;
   VerifyReport proof;
-  std::vector<Overlap> overlaps;  ///< what is left, deeper than kShownDepth
-  int tabless_before = 0;         ///< with a TabAim: cuts without room for a tab in the first net,
-  int tabless_after = 0;          ///< and in this one
-  int stream = 0;                 ///< which one found it
-  std::int64_t iterations = 0;    ///< of the stream that found it
+  std::vector<Overlap> overlaps;         ///< what is left, deeper than kShownDepth
+  std::optional<PolishReport> polished;  ///< when that was asked for and there was a net
+  int tabless_before = 0;                ///< with a TabAim: cuts without room for a tab before exchanges,
+  int tabless_after = 0;                 ///< and in this one
+  int stream = 0;                        ///< which one found it
+  std::int64_t iterations = 0;           ///< of the stream that found it
   std::int64_t moves = 0;
   int restarts = 0;
   /// Of all streams: in how many iterations each face was the one to be cleared of overlaps.
   IdVector<FaceId, std::int64_t> collisions;
-  double cpu_seconds = 0;  ///< start trees + search + re-detection, all threads
+  double cpu_seconds = 0;     ///< start trees + search + re-detection, all threads
+  double finish_seconds = 0;  ///< of polish and room for tabs, with their proofs
   double verify_seconds = 0;
   std::vector<Episode> log;  ///< what the replay plays: start trees and moves of the winning stream
 };

@@ -310,19 +310,6 @@ bool TabuSolver::take_back(int wanted) {
   return false;
 }
 
-std::pair<double, double> TabuSolver::refine(const NetJudge& judge, int most_looks) {
-  if (!is_solved_) return {0, 0};
-  const RefineResult result = netwright::refine(state_, judge, most_looks, random_, progress_);
-  for (const auto& [removed, inserted] : result.moves) {
-    ++moves_;
-    ++logged_moves_;
-    const SearchModel& m = *model_;
-    episodes_.back().moves.push_back({m.face_of[at(inserted)], m.beyond(inserted), removed, inserted, 0});
-  }
-  best_folds_ = state_.folds();
-  return {result.cost_before, result.cost_after};
-}
-
 void TabuSolver::check_solved() {
   if (state_.overlaps() > 0) return;
   state_.recompute();

@@ -9,7 +9,6 @@
 
 #include "core/base/progress.h"
 #include "core/base/random.h"
-#include "core/solve/refine.h"
 #include "core/solve/search_state.h"
 #include "core/solve/snapshot.h"
 
@@ -80,10 +79,6 @@ class TabuSolver {
   /// When solved: takes back what was changed since `from` and need not have been, as long as there is no
   /// overlap. Such moves are logged like others.
   void return_home();
-
-  /// When solved: goes on among nets without overlaps to lower what `judge` says (see refine.h). The moves
-  /// that are kept are logged like others. Returns the costs before and after.
-  std::pair<double, double> refine(const NetJudge& judge, int most_looks);
 
   /// No overlaps, after placing and detecting everything anew.
   [[nodiscard]] bool is_solved() const { return is_solved_; }

@@ -1,0 +1,134 @@
+// Works on one component after the other, in states of its own: the searches that found the net are over.
+#include "core/solve/finish.h"
+
+#include "core/base/cpu_time.h"
+#include "core/base/predicates.h"
+#include "core/solve/tab_room.h"
+
+namespace netwright {
+
+namespace {
+
+// Random numbers apart from those of the streams, which are numbered from 0.
+constexpr std::uint64_t kPolishStream = 1ULL << 62;
+constexpr std::uint64_t kTabStream = 1ULL << 63;
+
+/// How many cuts without a tab a unit of polish is worth: an exchange changes that by some hundredths.
+constexpr double kTabsPerPolish = 10;
+
+/// Down to this share of a cost there is no new net in the log.
+constexpr double kLoggedGain = 0.99;
+
+}  // namespace
+
+Finish::Finish(std::shared_ptr<const DualGraph> dual, const std::vector<SearchModel>& models,
+               const SolveOptions& options, Progress& progress, WholeTree& whole, Showing& showing,
+               SolveResult& result)
+    : dual_(std::move(dual)),
+      models_(&models),
+      options_(&options),
+      progress_(&progress),
+      whole_(&whole),
+      showing_(&showing),
+      result_(&result) {}
+
+void Finish::run() {
+  const double before = thread_cpu_seconds();
+  if (options_->polish && options_->polish->settings.effort > 0 && !options_->stays_near) polish();
+  if (options_->tabs && options_->tabs->settings.is_on) make_room_for_tabs();
+  result_->finish_seconds = thread_cpu_seconds() - before;
+}
+
+std::vector<char> Finish::folds_of(std::size_t c) const {
+  std::vector<char> folds;
+  for (const HalfedgeId h : (*models_)[c].mesh_halfedge)
+    folds.push_back(result_->net.tree.is_fold(dual_->mesh(), dual_->mesh().edge(h)) ? 1 : 0);
+  return folds;
+}
+
+// The net with these folds of one component takes the place of the present one, if it is one.
+bool Finish::take(std::size_t c, const std::vector<char>& folds) {
+  const std::vector<char> old = folds_of(c);
+  if (folds == old) return false;
+  whole_->set((*models_)[c], folds);
+  Net net = whole_->net();
+  const VerifyReport proof = verify(to_flat_net(net, 1), static_cast<int>(models_->size()));
+  if (!proof.is_net) {
+    whole_->set((*models_)[c], old);
+    return false;
+  }
+  result_->net = std::move(net);
+  result_->proof = proof;
+  return true;
+}
+
+// One net in the log for every step of a hundredth: long runs make thousands of small ones.
+void Finish::log(double cost) {
+  std::vector<Episode>& log = result_->log;
+  if (log.back().is_polish && cost > kLoggedGain * logged_cost_) {
+    log.back().start = result_->net.tree;
+    return;
+  }
+  log.push_back({result_->net.tree, 0, {}, true});
+  logged_cost_ = cost;
+}
+
+void Finish::polish() {
+  PolishReport& report = result_->polished.emplace();
+  report.first = result_->net.tree;
+  report.scale = options_->polish->scale(result_->net);
+  for (std::size_t c = 0; c < models_->size() && !progress_->is_cancelled(); ++c)
+    polish_component(
+        c, polish_task(*dual_, (*models_)[c], *options_->polish, report.scale, options_->pins.root));
+}
+
+void Finish::polish_component(std::size_t c, const PolishTask& task) {
+  Polisher polisher(*dual_, (*models_)[c], folds_of(c), task, Random(options_->seed, kPolishStream + c),
+                    *progress_);
+  PolishReport& report = *result_->polished;
+  report.necks_before += polisher.best().necks;
+  report.size_before = std::max(report.size_before, polisher.best().size);
+  const auto n = static_cast<double>(models_->size());
+  view_.costs.push_back(polisher.best().sum);
+  bool goes_on = true;
+  while (goes_on && !progress_->is_cancelled()) {
+    goes_on = polisher.advance();
+    if (take(c, polisher.best_folds())) log(polisher.best().sum);
+    view_.fraction = (static_cast<double>(c) + polisher.fraction()) / n;
+    view_.costs.push_back(polisher.best().sum);
+    if (!showing_->show_polished(result_->net, view_)) progress_->cancel();
+  }
+  report.necks_after += polisher.best().necks;
+  report.size_after = std::max(report.size_after, polisher.best().size);
+}
+
+void Finish::make_room_for_tabs() {
+  const double scale = options_->tabs->scale(result_->net);
+  result_->tabless_before = result_->tabless_after = 0;
+  for (std::size_t c = 0; c < models_->size(); ++c) find_room(c, scale);
+}
+
+void Finish::find_room(std::size_t c, double scale) {
+  const SearchModel& model = (*models_)[c];
+  SearchState state(model, kSolveDepth);
+  state.set_tree(folds_of(c));
+  const TabRoom room(*dual_, model, scale, options_->tabs->settings);
+  const PolishAim aim = options_->polish.value_or(PolishAim{});
+  NetCost polish(*dual_, model, state, polish_task(*dual_, model, aim, scale, options_->pins.root));
+  const bool is_polished = result_->polished.has_value();
+  const auto judge = [&](const SearchState& net) {
+    Judgement judgement = room(net);
+    if (is_polished) judgement.cost += kTabsPerPolish * polish.measure().sum;
+    return judgement;
+  };
+  Random random(options_->seed, kTabStream + c);
+  const auto n_without = [&] { return static_cast<int>(room(state).cost); };
+  const int before = n_without();
+  refine(state, judge, options_->tabs->looks_per_face * model.n_faces, random, progress_);
+  result_->tabless_before += before;
+  const bool is_taken = take(c, state.folds());
+  result_->tabless_after += is_taken ? n_without() : before;
+  if (is_taken) result_->log.push_back({result_->net.tree, 0, {}, true});
+}
+
+}  // namespace netwright
