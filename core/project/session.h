@@ -24,6 +24,7 @@
 #include "core/sheet/cutter_package.h"
 #include "core/sheet/pages.h"
 #include "core/sheet/sheet.h"
+#include "core/solve/fewest_pieces.h"
 #include "core/solve/solve.h"
 #include "core/solve/trouble.h"
 #include "core/unfold/hand_edits.h"
@@ -183,6 +184,15 @@ class Session {
   void look_for_releases();
   /// What came of it; null before and when other pins were set since.
   [[nodiscard]] std::shared_ptr<const Releases> releases() const;
+  /// It is proved that there is no net in one piece.
+  [[nodiscard]] bool is_impossible() const;
+  /// Looks on the search's lane for nets of several pieces (see fewest_pieces) that keep all pins; a search
+  /// or another trial ends it.
+  void look_for_pieces();
+  /// What came of it; null before and when other pins were set since.
+  [[nodiscard]] std::shared_ptr<const PiecesResult> pieces() const;
+  /// The net of one of the choices becomes the project's; one undo step.
+  void take_pieces(std::size_t choice);
   /// How far something is that is tried after a search without a net; null when nothing is.
   [[nodiscard]] std::shared_ptr<const Progress> trial() const;
   void stop_trial();

@@ -109,6 +109,8 @@ struct Session::Impl {
     SolveOptions options;
     std::shared_ptr<const Trouble> trouble;
     std::shared_ptr<const Releases> releases;
+    std::shared_ptr<const PiecesResult> pieces;
+    bool is_impossible = false;  ///< proved
   };
 
   explicit Impl(Clock clock_function);
@@ -138,6 +140,7 @@ struct Session::Impl {
   [[nodiscard]] const Failed* failure() const;  ///< null unless its best is shown
   [[nodiscard]] bool has_pins_of(const Failed& failure) const;
   bool take_releases();
+  bool take_found_pieces();  // session_pieces.cpp
   void stop_trial();
   void start_replay(const SearchRun::Outcome& outcome);
   void end_replay();
@@ -243,6 +246,7 @@ struct Session::Impl {
   std::vector<std::shared_ptr<Chore<Message>>> exports;
   std::shared_ptr<Chore<Split>> splitting;
   std::shared_ptr<Chore<Releases>> releasing;
+  std::shared_ptr<Chore<PiecesResult>> piecing;
   std::shared_ptr<Chore<std::vector<std::string>>> searching_printers;
   std::shared_ptr<const std::vector<std::string>> printers;
 

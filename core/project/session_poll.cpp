@@ -293,7 +293,9 @@ void Session::Impl::show_unfinished(const SolveResult& result, const SolveOption
                       project().edits,
                       options,
                       std::make_shared<const Trouble>(find_trouble(result)),
-                      nullptr};
+                      nullptr,
+                      nullptr,
+                      result.isolated_face.is_valid() || result.impossible != nullptr};
   settled = stamp(std::make_shared<ShownNet>(
       make_shown_net(layout(project().dual, result.net.tree), result.overlaps, false)));
   say(Message::Kind::Notice, unfinished_news(result, *last_figures, is_timed_out));
@@ -378,6 +380,7 @@ bool Session::Impl::poll() {
   has_changed |= take_exports();
   has_changed |= take_split();
   has_changed |= take_releases();
+  has_changed |= take_found_pieces();
   has_changed |= take_printers();
   has_changed |= take_leftovers();
   has_changed |= watch_files();

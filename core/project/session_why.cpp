@@ -17,6 +17,8 @@ bool Session::Impl::has_pins_of(const Failed& failure) const {
 void Session::Impl::stop_trial() {
   if (releasing) releasing->progress->cancel();
   releasing = nullptr;
+  if (piecing) piecing->progress->cancel();
+  piecing = nullptr;
 }
 
 bool Session::Impl::take_releases() {
@@ -52,6 +54,7 @@ void Session::look_for_releases() {
 }
 
 std::shared_ptr<const Progress> Session::trial() const {
+  if (impl_->piecing) return impl_->piecing->progress;
   return impl_->releasing ? impl_->releasing->progress : nullptr;
 }
 
