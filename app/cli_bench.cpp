@@ -19,6 +19,7 @@
 #include "core/base/worker.h"
 #include "core/mesh/read.h"
 #include "core/mesh/repair.h"
+#include "core/solve/prove_impossible.h"
 #include "core/unfold/obstruction.h"
 
 namespace netwright {
@@ -254,6 +255,7 @@ class Bench {
     row.cpu_seconds = result.cpu_seconds;
     row.verify_seconds = result.verify_seconds;
     if (!result.proof.faults.empty()) row.note = result.proof.faults.front();
+    if (result.impossible != nullptr) row.note = impossible_sentence(result.net.mesh());
     if (result.isolated_face.is_valid())
       row.note = isolated_face_sentence(result.net.mesh(), result.isolated_face);
   }

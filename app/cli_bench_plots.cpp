@@ -49,9 +49,11 @@ Points points_of(const PaperProgram& program, const Value& value) {
   return points;
 }
 
-/// From the smallest to the largest model, with ticks at the sizes themselves as far as there is room.
+/// From the smallest to the largest model, the paper's among them where the axis is logarithmic, with ticks
+/// at the sizes themselves as far as there is room.
 ChartScale faces_scale(const Sizes& sizes, bool is_log) {
-  std::vector<double> faces(kPaperFaces.begin(), kPaperFaces.end());
+  std::vector<double> faces;
+  if (is_log) faces.assign(kPaperFaces.begin(), kPaperFaces.end());
   for (const BenchFigures& f : sizes) faces.push_back(f.faces.mean);
   std::ranges::sort(faces);
   ChartScale scale{faces.front(), faces.back(), is_log};

@@ -104,13 +104,15 @@ std::string figures_cards(const std::vector<BenchFigures>& figures, const std::s
   iteration_heads.insert(iteration_heads.end(), stats.begin(), stats.end());
   std::string times = "<caption>" + time_words + "</caption>\n" + row_of("th", time_heads);
   std::string iterations = "<caption>Iterations of the search</caption>\n" + row_of("th", iteration_heads);
-  for (const BenchFigures& f : figures) {
-    Cells cells{escaped(f.folder), std::to_string(f.n), success_words(f), std::to_string(f.n_refused)};
+  const std::vector<std::string> names = folder_names(figures);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const BenchFigures& f = figures[i];
+    Cells cells{escaped(names[i]), std::to_string(f.n), success_words(f), std::to_string(f.n_refused)};
     Cells values = cells_of(f.times, duration_words);
     cells.insert(cells.end(), values.begin(), values.end());
     times += row_of("td", cells);
     const std::string faces = f.faces.n == 0 ? "–" : count_words(f.faces.mean);
-    cells = {escaped(f.folder), are_folders ? faces : std::to_string(f.n)};
+    cells = {escaped(names[i]), are_folders ? faces : std::to_string(f.n)};
     values = cells_of(f.iterations, count_words);
     cells.insert(cells.end(), values.begin(), values.end());
     iterations += row_of("td", cells);

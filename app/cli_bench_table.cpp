@@ -115,15 +115,6 @@ std::map<std::string, std::string> sizes_of_folders(std::vector<BenchFigures> fo
   return sizes;
 }
 
-std::vector<std::string> names_for_table(const std::vector<BenchFigures>& figures) {
-  std::set<std::string> names;
-  for (const BenchFigures& f : figures) names.insert(last_name(f.folder));
-  const bool are_unlike = names.size() == figures.size();
-  std::vector<std::string> found;
-  for (const BenchFigures& f : figures) found.push_back(are_unlike ? last_name(f.folder) : f.folder);
-  return found;
-}
-
 }  // namespace
 
 std::string duration_words(double seconds) {
@@ -139,6 +130,15 @@ std::string count_words(double count) {
 }
 
 std::string success_words(const BenchFigures& figures) { return format("%.4g %%", percent(figures)); }
+
+std::vector<std::string> folder_names(const std::vector<BenchFigures>& figures) {
+  std::set<std::string> names;
+  for (const BenchFigures& f : figures) names.insert(last_name(f.folder));
+  const bool are_unlike = names.size() == figures.size();
+  std::vector<std::string> found;
+  for (const BenchFigures& f : figures) found.push_back(are_unlike ? last_name(f.folder) : f.folder);
+  return found;
+}
 
 std::vector<BenchFigures> bench_figures(const std::vector<BenchRow>& rows, double BenchRow::*times) {
   return figures_by(rows, times, [](const BenchRow& row) { return row.folder; });
@@ -191,7 +191,7 @@ std::string growth_sentence(const BenchGrowth& growth) {
 }
 
 std::string bench_table(const std::vector<BenchFigures>& figures) {
-  const std::vector<std::string> names = names_for_table(figures);
+  const std::vector<std::string> names = folder_names(figures);
   std::vector<Line> lines{
       {"folder", "n", "success", "refused", "min", "mean", "filtered", "median", "p95", "p99", "max"}};
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -204,7 +204,7 @@ std::string bench_table(const std::vector<BenchFigures>& figures) {
 }
 
 std::string iterations_table(const std::vector<BenchFigures>& figures) {
-  const std::vector<std::string> names = names_for_table(figures);
+  const std::vector<std::string> names = folder_names(figures);
   std::vector<Line> lines{{"folder", "faces", "min", "mean", "filtered", "median", "p95", "p99", "max"}};
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const BenchFigures& f = figures[i];

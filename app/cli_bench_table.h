@@ -44,8 +44,10 @@ BenchGrowth bench_growth(const std::vector<BenchFigures>& sizes);
 /// could be fitted.
 std::string growth_sentence(const BenchGrowth& growth);
 
-/// Aligned columns, a heading first; times as "0.15 ms" or "2.3 s". Folders go by their last names where
-/// these differ.
+/// The folders as they are shown: by their last names where these differ.
+std::vector<std::string> folder_names(const std::vector<BenchFigures>& figures);
+
+/// Aligned columns, a heading first; times as "0.15 ms" or "2.3 s".
 std::string bench_table(const std::vector<BenchFigures>& figures);
 /// The same for faces and iterations.
 std::string iterations_table(const std::vector<BenchFigures>& figures);

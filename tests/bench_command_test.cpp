@@ -222,6 +222,15 @@ TEST_F(BenchCommandLine, CountsWhatTookTooLong) {
   EXPECT_EQ(figures.at(models_.string()).at("success_percent"), "100.00");
 }
 
+TEST_F(BenchCommandLine, NotesThatAModelWasProvedToHaveNoNet) {
+  write("models/hats.obj", testing::with_hats(shapes::tetrahedron()));
+  EXPECT_EQ(bench({at("models/hats.obj")}).status, 0);
+  const std::vector<Row> all = rows();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].at("solved"), "0");
+  EXPECT_NE(all[0].at("note").find("has no net"), std::string::npos) << all[0].at("note");
+}
+
 TEST_F(BenchCommandLine, LeavesWholeRowsOnCtrlC) {
   const Strings words{"bench",         "--tsv",   tsv(), "--time-limit", "0", at("models/cube.obj"),
                       endless_model(), "--seeds", "2"};
