@@ -8,8 +8,9 @@
 namespace netwright {
 namespace {
 
+/// Clang's version begins with its name, that of GCC does not.
 #ifdef __clang__
-constexpr const char* kCompiler = "Clang ";
+constexpr const char* kCompiler = "";
 #else
 constexpr const char* kCompiler = "GCC ";
 #endif
