@@ -26,7 +26,7 @@ using testing::zoo;
 using Node = ImpossibilityProof::Node;
 using Step = ImpossibilityProof::Step;
 
-constexpr ProveLimits kShort{.region_steps = 5000, .hinge_steps = 20'000};
+constexpr ProveLimits kShort{.region_steps = 5000, .hinge_steps = 5000};
 
 ProveResult try_to_prove(const PolygonSoup& soup, const ProveLimits& limits = {}) {
   const Progress progress;
