@@ -19,7 +19,13 @@ struct CliModel {
   std::vector<std::string> notices;  ///< whole sentences
   std::optional<SolveResult> net;    ///< a project's own proved net, where the options ask for no other one
   std::shared_ptr<const UnfoldTree> start;  ///< to search on from, changing as little as may be; or null
-  std::optional<ReplaceReport> replaced;    ///< what became of the old version's work
+  /// Corners moved so that there is a net, and how far the surface went at most.
+  struct Softened {
+    int n_corners = 0;
+    double deviation_mm = 0;
+  };
+  std::optional<Softened> softened;
+  std::optional<ReplaceReport> replaced;  ///< what became of the old version's work
 };
 
 /// Reads the model or project and makes the mesh. What the options leave open, a project decides: recipe,

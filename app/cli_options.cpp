@@ -239,6 +239,10 @@ class Reader {
     app.add_option("--simplify", unfold_.recipe.faces, "Simplify the model to at most so many faces")
         ->type_name("FACES")
         ->check(within(4, 2000000000, "a number of faces, 4 or more"));
+    app.add_option("--soften", unfold_.soften_mm,
+                   "Where there is no net, move corners by at most so many mm until there is one")
+        ->type_name("MM")
+        ->check(within(0.0, 1e6, "a number of millimetres, 0 or more"));
     app.add_flag("--merge", unfold_.recipe.merges, "Make one face of neighbours that lie in one plane");
     app.add_option("--root", unfold_.root,
                    "Face that the net starts from, by its number in the file counted from 1")

@@ -36,6 +36,8 @@ struct UnfoldCommand {
   int threads = 0;  ///< 0 = as many as there are streams and cores
   SearchStyle search = SearchStyle::Fast;
   PolishSettings polish;
+  /// Where there is no net: corners may be moved so far, in mm of the file, until there is one.
+  std::optional<double> soften_mm;
   Recipe recipe;                  ///< what is done to the model first,
   std::optional<double> weld_mm;  ///< and what can only be said in the file's terms once it is read:
   LeaveOut leave_out;

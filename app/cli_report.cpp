@@ -95,6 +95,18 @@ std::string unsolved_sentence(const Mesh& mesh, const SolveResult& result, const
          " left), so nothing was written; try another --seed or a longer --time-limit.";
 }
 
+std::string softened_sentence(const CliModel::Softened& softened) {
+  return "Softened: moved " + counted(softened.n_corners, "corner", "corners") + ", the surface by at most " +
+         short_number(softened.deviation_mm) + " mm.";
+}
+
+Json softened_json(const CliModel::Softened& softened) {
+  Json json;
+  json.set("corners", softened.n_corners);
+  json.set("deviation_mm", softened.deviation_mm);
+  return json;
+}
+
 Json unfold_json(const UnfoldOutcome& outcome, const UnfoldCommand& command) {
   const Mesh& mesh = outcome.mesh;
   const SolveResult& result = outcome.result;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli_model.h"
 #include "app/cli_options.h"
 #include "core/base/json.h"
 #include "core/mesh/mesh_report.h"
@@ -41,6 +42,10 @@ std::string unsolved_sentence(const Mesh& mesh, const SolveResult& result, const
 /// What became of the old version's work, sentence by sentence.
 void print_replaced(const ReplaceReport& report);
 Json replaced_json(const ReplaceReport& report);
+
+/// What softening changed.
+std::string softened_sentence(const CliModel::Softened& softened);
+Json softened_json(const CliModel::Softened& softened);
 
 Json unfold_json(const UnfoldOutcome& outcome, const UnfoldCommand& command);
 Json verify_json(const FlatNet& net, const VerifyReport& report, const VerifyCommand& command);

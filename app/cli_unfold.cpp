@@ -15,11 +15,14 @@
 #include "app/cli_why.h"
 #include "core/base/counted.h"
 #include "core/base/error.h"
+#include "core/project/carry_pins.h"
 #include "core/project/commands.h"
 #include "core/project/polish_aim.h"
 #include "core/project/project_file.h"
 #include "core/project/proof_file.h"
+#include "core/project/soften.h"
 #include "core/project/tab_aim.h"
+#include "core/sheet/number_text.h"
 #include "core/sheet/page_frame.h"
 #include "core/sheet/split_to_fit.h"
 #include "core/sheet/write.h"
@@ -196,6 +199,34 @@ std::optional<WhyNot> ask_why(const UnfoldCommand& command, const SolveResult& r
   return why;
 }
 
+/// The model with as little of its shape changed as gives a net; none when nothing within the limit helps.
+std::optional<CliModel> softened(const UnfoldCommand& command, const CliModel& model,
+                                 const SolveResult& result, const SolveOptions& options,
+                                 const Interrupts& interrupts) {
+  const Project& project = model.project;
+  const double in_mm = guess_unit(*project.source).in_mm;
+  Softening found;
+  const auto limit = command.time_limit_s > 0 ? std::optional(command.time_limit_s) : std::nullopt;
+  run_watched(
+      interrupts,
+      [&](Progress& progress) {
+        found = soften(project.source, project.recipe, *project.made, options, find_trouble(result),
+                       *command.soften_mm / in_mm, progress);
+      },
+      limit);
+  if (!found.is_found()) return std::nullopt;
+  CliModel soft = model;
+  soft.start = nullptr;
+  soft.softened = {found.n_moved, found.deviation * in_mm};
+  soft.project.pins = carry_pins(project.pins, project.dual->mesh(), found.made->dual->mesh()).pins;
+  soft.project.edits = {};
+  soft.project.recipe = found.recipe;
+  soft.project.dual = found.made->dual;
+  soft.project.made = found.made;
+  soft.notices = {softened_sentence(*soft.softened)};
+  return soft;
+}
+
 }  // namespace
 
 void check_outputs(const UnfoldCommand& command) {
@@ -226,6 +257,11 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
   }
   if (result.impossible != nullptr && !command.proof.empty())
     write_proof(command.proof, mesh, *result.impossible);
+  if (!result.is_proved && command.soften_mm && !model.softened) {
+    if (const auto soft = softened(command, model, result, options, interrupts))
+      return search_and_write(command, *soft, interrupts, start);
+    complain("note: No change of shape within " + short_number(*command.soften_mm) + " mm gave a net.");
+  }
   const std::optional<PiecesResult> pieces = look_for_pieces(command, result, options, interrupts);
   if (interrupts.has_come()) return kCancelled;
   const bool has_pieces = pieces && take_pieces(command, *pieces, result);
@@ -247,6 +283,7 @@ int search_and_write(const UnfoldCommand& command, const CliModel& model, const 
       json.set("report", build_report_json(drawing.net, drawing.layout));
     if (result.polished) json.set("polish", polish_json(result));
     if (model.replaced) json.set("replaced", replaced_json(*model.replaced));
+    if (model.softened) json.set("softened", softened_json(*model.softened));
     if (why) json.set("why", why_json(*why, mesh));
     if (pieces) json.set("choices", pieces_json(*pieces));
     print(to_text(json, {.is_indented = true}));

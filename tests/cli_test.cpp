@@ -274,6 +274,16 @@ TEST_F(CommandLine, TellsWhyThereIsNoNet) {
   EXPECT_NE(ended.err.find("Without its pins no net was found either."), std::string::npos) << ended.err;
 }
 
+TEST_F(CommandLine, SoftensAShapeThatHasNoNet) {
+  const std::string model = write("hats.obj", shapes::to_obj(testing::with_hats(shapes::tetrahedron())));
+  const Json json =
+      run_json({"unfold", model, "-o", at("net.fold"), "--soften", "1000", "--time-limit", "20", "--json"}, 0);
+  EXPECT_EQ(json.find("verified")->boolean(), true);
+  ASSERT_NE(json.find("softened"), nullptr);
+  EXPECT_GT(json.find("softened")->find("deviation_mm")->number(), 0.0);
+  EXPECT_EQ(run({"verify", at("net.fold")}).status, 0);
+}
+
 TEST_F(CommandLine, EndsWithStatus130OnCtrlC) {
   write("net.pdf", std::string("what was there before"));
   Child child(folder_, {"unfold", endless_model(), "-o", at("net.pdf"), "--time-limit", "0"});

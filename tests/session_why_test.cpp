@@ -108,5 +108,40 @@ TEST_F(SessionWhyTest, StopsTryingWhenASearchBegins) {
   EXPECT_EQ(session_.state(), RunState::Running);
 }
 
+TEST_F(SessionWhyTest, SoftensTheShapeAsOneStepWhenAgreed) {
+  open(shapes::to_obj(testing::with_hats(shapes::tetrahedron())));
+  search_in_vain();
+  const auto before = session_.project().dual;
+  session_.look_for_softening();
+  ASSERT_TRUE(frames_until([this] { return session_.softening() != nullptr; }));
+  EXPECT_EQ(session_.project().dual, before) << "nothing is changed without being asked";
+  ASSERT_TRUE(session_.softening()->is_found());
+  session_.take_softening();
+  ASSERT_TRUE(frames_until([this] { return session_.shown() && session_.shown()->is_proved; }));
+  EXPECT_FALSE(session_.recipe().moved.empty());
+  ASSERT_TRUE(frames_until_idle());
+  session_.undo();
+  session_.undo();
+  EXPECT_TRUE(session_.recipe().moved.empty());
+  EXPECT_EQ(session_.project().dual, before);
+}
+
+TEST_F(SessionWhyTest, TakesANetOfSeveralPiecesThatCanBePrinted) {
+  open(shapes::to_obj(testing::with_hats(shapes::tetrahedron())));
+  search_in_vain();
+  session_.look_for_pieces();
+  ASSERT_TRUE(frames_until([this] { return session_.pieces() != nullptr; }));
+  ASSERT_FALSE(session_.pieces()->choices.empty());
+  const int n_pieces = session_.pieces()->choices.front().net.n_pieces;
+  EXPECT_GE(n_pieces, 2);
+  session_.take_pieces(0);
+  ASSERT_TRUE(frames_until([this] { return session_.sheets() != nullptr; }));
+  EXPECT_EQ(session_.shown()->net.n_pieces, n_pieces);
+  EXPECT_TRUE(session_.shown()->overlaps.empty());
+  EXPECT_EQ(session_.undo_label(), "Undo unfold into " + std::to_string(n_pieces) + " pieces");
+  session_.undo();
+  EXPECT_EQ(session_.project().tree, nullptr);
+}
+
 }  // namespace
 }  // namespace netwright

@@ -309,18 +309,27 @@ std::string needs_failure(const UiContext& c) {
 std::string needs_pins_to_try(const UiContext& c) {
   if (c.session.trouble() == nullptr) return "No search has ended without a net.";
   if (c.session.project().pins.are_free()) return "Nothing is pinned.";
+  if (c.session.trouble()->is_impossible) return "It is proved that no pin is to blame.";
   return c.session.trial() != nullptr ? "Something is being tried already." : "";
 }
 
-void ask_why(UiContext& c) {
+std::string needs_trial(const UiContext& c) {
+  if (c.session.trouble() == nullptr) return "No search has ended without a net.";
+  return c.session.trial() != nullptr ? "Something is being tried already." : "";
+}
+
+void open_why(UiContext& c) {
   c.ui.settings.is_side_open = true;
   c.ui.settings.is_open(Section::Why) = true;
+}
+
+void ask_why(UiContext& c) {
+  open_why(c);
   c.ui.settings.show_heat = true;
 }
 
 void find_releases_of_pins(UiContext& c) {
-  c.ui.settings.is_side_open = true;
-  c.ui.settings.is_open(Section::Why) = true;
+  open_why(c);
   c.session.look_for_releases();
 }
 
@@ -409,6 +418,12 @@ const auto kActions = std::to_array<Action>({
      [](UiContext& c) { c.session.unfold_from_here(); }, nullptr, rest_label},
     {ActionId::AskWhy, "Why?", icon::kHelp, {}, "Shows where the search was stuck, and what can be done",
      needs_failure, ask_why, nullptr, nullptr},
+    {ActionId::FindSoftening, "Soften the shape", icon::kTune, {},
+     "Looks for the least change of shape that gives a net; nothing is changed before you agree", needs_trial,
+     [](UiContext& c) { open_why(c); c.session.look_for_softening(); }, nullptr, nullptr},
+    {ActionId::FindPieces, "Several pieces", icon::kCut, {},
+     "Looks for nets of the fewest pieces; you choose one", needs_trial,
+     [](UiContext& c) { open_why(c); c.session.look_for_pieces(); }, nullptr, nullptr},
     {ActionId::FindReleases, "Find pins to release", icon::kUnpin, {},
      "Tries which pins stand in the way of a net", needs_pins_to_try, find_releases_of_pins, nullptr, nullptr},
     {ActionId::MakeRoomForTabs, "Make room for tabs", "", {},

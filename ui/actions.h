@@ -46,6 +46,8 @@ enum class ActionId {
   MakeRoomForTabs,
   AskWhy,
   FindReleases,
+  FindSoftening,
+  FindPieces,
   PinRoot,
   MustFold,
   MustCut,

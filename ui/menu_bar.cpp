@@ -199,7 +199,8 @@ float draw_menu_bar(UiContext& context) {
     ImGui::Separator();
     plain_menu(context, {ActionId::JoinAndCut, ActionId::MakeRoomForTabs});
     ImGui::Separator();
-    plain_menu(context, {ActionId::AskWhy, ActionId::FindReleases});
+    plain_menu(context,
+               {ActionId::AskWhy, ActionId::FindReleases, ActionId::FindSoftening, ActionId::FindPieces});
     ImGui::Separator();
     plain_menu(context, {ActionId::PinRoot, ActionId::MustFold, ActionId::MustCut, ActionId::KeepTogether,
                          ActionId::ClearPins, ActionId::ClearAllPins});

@@ -1,7 +1,9 @@
 // Why a search found no single piece: the heat map and its scale, the corners with too much paper around
 // them, and which pins to release.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "assets/icons.h"
@@ -9,6 +11,7 @@
 #include "ui/actions.h"
 #include "ui/heat.h"
 #include "ui/panels.h"
+#include "ui/status.h"
 #include "ui/view_parts.h"
 #include "ui/widgets.h"
 
@@ -140,7 +143,7 @@ void way_row(UiContext& c, const std::vector<Pin>& way, std::size_t index) {
 
 void release_rows(UiContext& c) {
   UiState& ui = c.ui;
-  if (c.session.project().pins.are_free()) return;
+  if (c.session.project().pins.are_free() || c.session.trouble()->is_impossible) return;
   const auto found = c.session.releases();
   if (found == nullptr) {
     if (c.session.trial() != nullptr) return;
@@ -161,6 +164,51 @@ void release_rows(UiContext& c) {
   for (std::size_t i = 0; i < std::min(ways->ways.size(), kMostWays); ++i) way_row(c, ways->ways[i], i);
 }
 
+ButtonSpec take_button(const std::string& name, const std::string& label, const char* tip) {
+  ButtonSpec spec{name, label, icon::kDone, tip};
+  spec.kind = ButtonKind::Outlined;
+  return spec;
+}
+
+void softening_rows(UiContext& c) {
+  const auto found = c.session.softening();
+  if (found == nullptr) return;
+  if (!found->is_found()) return wrapped(c.ui, "No small change of shape gave a net.");
+  const Project& project = c.session.project();
+  const double diagonal = glm::length(project.dual->mesh().box().size());
+  const double in_mm = guess_unit(*project.source).in_mm;
+  std::array<char, 32> share{};
+  std::snprintf(share.data(), share.size(), "%.1f %%", 100 * found->deviation / diagonal);
+  wrapped(c.ui, "Moving " + counted(found->n_moved, "corner", "corners") +
+                    " gives a net; the surface moves by " +
+                    length_text(found->deviation * in_mm, c.ui.settings.unit) + " at most, " + share.data() +
+                    " of the model's size.");
+  if (button(c.ui, take_button("why/take-softening", "Soften",
+                               "Changes the shape so and unfolds it; can be undone")))
+    c.session.take_softening();
+}
+
+void pieces_rows(UiContext& c) {
+  const auto found = c.session.pieces();
+  if (found == nullptr) return;
+  if (found->choices.empty()) return wrapped(c.ui, "No net of several pieces was found.");
+  const double shortest =
+      std::min_element(found->choices.begin(), found->choices.end(), [](const auto& a, const auto& b) {
+        return a.cut_length < b.cut_length;
+      })->cut_length;
+  wrapped(c.ui, "Nets of several pieces, and how long their cuts are:");
+  for (std::size_t i = 0; i < found->choices.size(); ++i) {
+    const PiecesChoice& choice = found->choices[i];
+    const std::string words = counted(choice.net.n_pieces, "piece", "pieces") + " · " +
+                              std::to_string(percent(choice.cut_length / shortest)) + " %";
+    if (button(c.ui,
+               take_button("why/take-pieces/" + std::to_string(i), words, "Takes this net; can be undone"))) {
+      c.session.take_pieces(i);
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 void panel_why(UiContext& context) {
@@ -168,6 +216,8 @@ void panel_why(UiContext& context) {
   if (trouble == nullptr) return;
   if (const auto trial = context.session.trial()) trial_row(context, *trial);
   release_rows(context);
+  softening_rows(context);
+  pieces_rows(context);
   if (!trouble->hot.empty()) heat_rows(context, *trouble);
   point_rows(context, *trouble);
 }

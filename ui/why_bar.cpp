@@ -30,8 +30,10 @@ struct Choice {
 /// Only what can be done: releasing pins where there are some.
 std::vector<Choice> choices(const UiContext& context) {
   std::vector<Choice> all{{"why/explain", ActionId::AskWhy, ButtonKind::Accent}};
-  if (!context.session.project().pins.are_free())
+  if (!context.session.project().pins.are_free() && !context.session.trouble()->is_impossible)
     all.push_back({"why/pins", ActionId::FindReleases, ButtonKind::Outlined});
+  all.push_back({"why/soften", ActionId::FindSoftening, ButtonKind::Outlined});
+  all.push_back({"why/pieces", ActionId::FindPieces, ButtonKind::Outlined});
   return all;
 }
 
@@ -52,6 +54,7 @@ float controls_width(const UiContext& context) {
 }
 
 std::string text_of(const UiContext& context) {
+  if (context.session.trouble()->is_impossible) return "This model has no net in one piece: that is proved.";
   const auto shown = context.session.shown();
   const auto n = static_cast<std::int64_t>(shown == nullptr ? 0 : shown->overlaps.size());
   return "The search found no net in one piece: " + counted(n, "overlap is", "overlaps are") + " left.";

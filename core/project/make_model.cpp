@@ -6,6 +6,7 @@
 #include "core/mesh/deviation.h"
 #include "core/mesh/difficulty.h"
 #include "core/mesh/merge_faces.h"
+#include "core/mesh/move_corners.h"
 #include "core/mesh/planarize.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/split_faces.h"
@@ -128,6 +129,7 @@ class Maker {
     std::shared_ptr<const Mesh> mesh = stages_.mesh;
     model_.origins = origins_of(*mesh);
     if (recipe_.faces > 0) mesh = simplified();
+    if (!recipe_.moved.empty() && !progress_.is_cancelled()) mesh = softened(std::move(mesh));
     std::vector<EdgeId> hidden;
     if (recipe_.merges && !progress_.is_cancelled()) {
       progress_.set_phase("Merging faces of one plane");
@@ -138,6 +140,19 @@ class Maker {
     model_.report = report_on(*mesh);
     add_reader_notices(*source_, model_.report);
     model_.dual = std::make_shared<const DualGraph>(std::move(mesh), hidden);
+  }
+
+  std::shared_ptr<const Mesh> softened(std::shared_ptr<const Mesh> mesh) {
+    const MovedMesh moved = move_corners(*mesh, recipe_.moved);
+    if (!moved.mesh) {
+      model_.done.push_back("Not softened: the corners to be moved are not there any more.");
+      return mesh;
+    }
+    model_.n_moved = static_cast<int>(recipe_.moved.size());
+    model_.origins = passed_on(model_.origins, moved.heirs);
+    model_.deviation.reset();
+    model_.done.push_back("Softened: moved " + counted(model_.n_moved, "corner", "corners") + ".");
+    return moved.mesh;
   }
 
   std::shared_ptr<const Mesh> merged(const Mesh& mesh) {

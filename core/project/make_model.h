@@ -50,6 +50,7 @@ struct MadeModel {
   /// Of each face that was merged of several: the file's faces of those (Recipe::apart takes such a group);
   /// else empty.
   IdVector<FaceId, std::vector<int>> groups;
+  int n_moved = 0;        ///< corners moved as the recipe says; 0 when they could not be
   int n_faces_least = 0;  ///< what simplifying can reach; 0 when nothing was simplified
   std::shared_ptr<const ModelStages> stages;
   bool was_cancelled = false;

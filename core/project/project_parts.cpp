@@ -118,6 +118,15 @@ Json repairs_json(const Repairs& repairs) {
   return json;
 }
 
+/// Six numbers a corner: from where, to where.
+Json moved_json(const std::vector<MovedCorner>& moved) {
+  Json json{Json::Array{}};
+  for (const MovedCorner& corner : moved)
+    for (const glm::dvec3& p : {corner.from, corner.to})
+      for (const double x : {p.x, p.y, p.z}) json.add(x);
+  return json;
+}
+
 Json recipe_json(const Recipe& recipe) {
   Json json;
   if (recipe.up) json.set("up", word(kUp, *recipe.up));
@@ -129,6 +138,7 @@ Json recipe_json(const Recipe& recipe) {
   for (const int face : recipe.left_out) left_out.add(face);
   if (!recipe.left_out.empty()) json.set("left_out", left_out);
   json.set("faces", recipe.faces);
+  if (!recipe.moved.empty()) json.set("moved", moved_json(recipe.moved));
   json.set("merges", recipe.merges);
   if (!recipe.apart.empty()) json.set("apart", lists_json(recipe.apart));
   return json;

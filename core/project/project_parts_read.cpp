@@ -160,6 +160,15 @@ class Reader {
     return repairs;
   }
 
+  std::vector<MovedCorner> read_moved(const std::vector<double>& numbers) const {
+    if (numbers.size() % 6 != 0) refuse_damaged(file_, "a moved corner has no place");
+    std::vector<MovedCorner> moved;
+    for (std::size_t i = 0; i < numbers.size(); i += 6)
+      moved.push_back(
+          {{numbers[i], numbers[i + 1], numbers[i + 2]}, {numbers[i + 3], numbers[i + 4], numbers[i + 5]}});
+    return moved;
+  }
+
   Recipe read_recipe(const Json* json) const {
     JsonFields fields(json, file_, "the recipe");
     Recipe recipe;
@@ -169,6 +178,7 @@ class Reader {
     recipe.uneven = static_cast<UnevenFaces>(fields.choice("uneven", kUneven, 0));
     recipe.left_out = fields.integers("left_out", 0, kMostInt);
     recipe.faces = static_cast<int>(fields.integer("faces", 0, kMostInt, recipe.faces));
+    recipe.moved = read_moved(fields.numbers("moved", -kMostNumber, kMostNumber));
     recipe.merges = fields.flag("merges", recipe.merges);
     recipe.apart = fields.integer_lists("apart", 0, kMostInt);
     fields.finish();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/mesh/move_corners.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/soup.h"
 
@@ -28,7 +29,10 @@ struct Recipe {
   /// Parts of the model (what hangs together along edges) that get no piece: one face of the file for each,
   /// the least of the part's, in order. A part of which any face is named is left out.
   std::vector<int> left_out{};
-  int faces = 0;                          ///< simplify to at most so many; 0 = keep all
+  int faces = 0;  ///< simplify to at most so many; 0 = keep all
+  /// Softened: corners moved after simplifying, where they lie then. When one of them is not there any more,
+  /// all stay where they are.
+  std::vector<MovedCorner> moved{};
   bool merges = false;                    ///< neighbours of one plane become one face,
   std::vector<std::vector<int>> apart{};  ///< but not these groups that were split again: faces of the file
   bool operator==(const Recipe&) const = default;

@@ -20,6 +20,7 @@
 #include "core/project/run_figures.h"
 #include "core/project/run_list.h"
 #include "core/project/shown_net.h"
+#include "core/project/soften.h"
 #include "core/sheet/buildability.h"
 #include "core/sheet/cutter_package.h"
 #include "core/sheet/pages.h"
@@ -196,6 +197,12 @@ class Session {
   /// How far something is that is tried after a search without a net; null when nothing is.
   [[nodiscard]] std::shared_ptr<const Progress> trial() const;
   void stop_trial();
+  /// Looks likewise for the least change of shape that gives a net (see soften), up to a tenth of the model's
+  /// diagonal; what came of it, null before.
+  void look_for_softening();
+  [[nodiscard]] std::shared_ptr<const Softening> softening() const;
+  /// Changes the model so and unfolds it; the shape is one undo step.
+  void take_softening();
   /// Takes these pins back, also where they are edges joined or cut by hand, and unfolds again; one undo
   /// step.
   void release(const std::vector<Pin>& pins);

@@ -111,6 +111,7 @@ struct Session::Impl {
     std::shared_ptr<const Releases> releases;
     std::shared_ptr<const PiecesResult> pieces;
     bool is_impossible = false;  ///< proved
+    std::shared_ptr<const Softening> softening = {};
   };
 
   explicit Impl(Clock clock_function);
@@ -141,6 +142,7 @@ struct Session::Impl {
   [[nodiscard]] bool has_pins_of(const Failed& failure) const;
   bool take_releases();
   bool take_found_pieces();  // session_pieces.cpp
+  bool take_found_softening();
   void stop_trial();
   void start_replay(const SearchRun::Outcome& outcome);
   void end_replay();
@@ -247,6 +249,7 @@ struct Session::Impl {
   std::shared_ptr<Chore<Split>> splitting;
   std::shared_ptr<Chore<Releases>> releasing;
   std::shared_ptr<Chore<PiecesResult>> piecing;
+  std::shared_ptr<Chore<Softening>> softening;
   std::shared_ptr<Chore<std::vector<std::string>>> searching_printers;
   std::shared_ptr<const std::vector<std::string>> printers;
 

@@ -100,6 +100,7 @@ class ReleaseSearch {
       return heat_of(mesh, trouble, a) > heat_of(mesh, trouble, b);
     });
     options_.tabs.reset();
+    options_.polish.reset();
     options_.max_iterations = iterations_for_a_try(mesh);
   }
 
@@ -161,6 +162,7 @@ class ReleaseSearch {
 
 Trouble find_trouble(const SolveResult& result) {
   Trouble trouble;
+  trouble.is_impossible = result.isolated_face.is_valid() || result.impossible != nullptr;
   const Counts counts = collisions_of(result);
   trouble.heat.assign(counts.size(), 0);
   const std::int64_t most = counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
@@ -206,7 +208,7 @@ Releases find_releases(const std::shared_ptr<const DualGraph>& dual, const Solve
 }
 
 std::int64_t iterations_for_a_try(const Mesh& mesh) {
-  return 2000 + 10 * static_cast<std::int64_t>(mesh.n_faces());
+  return 2000 + 5 * static_cast<std::int64_t>(mesh.n_faces()) / 2;
 }
 
 std::string pin_words(const Mesh& mesh, const Pin& pin, const NumberOfFace& number) {

@@ -21,6 +21,7 @@ struct ExcessPoint {
 };
 
 struct Trouble {
+  bool is_impossible = false;       ///< it is proved that there is no net, whatever is pinned
   IdVector<FaceId, float> heat;     ///< 0 … 1, one per face: its collisions by those of the hottest face
   std::vector<FaceId> hot;          ///< the hottest first, until they make up four fifths of all collisions
   std::vector<ExcessPoint> points;  ///< at hot faces, those with the largest share first
