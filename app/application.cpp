@@ -57,6 +57,7 @@ Application::Application(Window& window, Session::Clock clock, std::filesystem::
   saved_settings_ = ui_.settings;
   if (settings_file_.empty()) {
     ui_.settings.hints_done.fill(true);  // tests and pictures are of nobody who is new here
+    session_.set_polish(polish_of(ui_.settings));
   } else {
     apply_preferences(session_, ui_.settings);
   }

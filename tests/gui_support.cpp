@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "render/tree_renderer.h"
+#include "ui/preferences.h"
 
 namespace netwright::testing {
 
@@ -33,6 +34,8 @@ Gui::Gui(glm::ivec2 size, double content_scale, const std::filesystem::path& set
           window, [this] { return now; }, settings_file) {
   ui().widgets = &widgets;
   ui().settings.theme = ThemeChoice::Light;
+  ui().settings.polish_s = 0;  // a second for each net would be long
+  session().set_polish(polish_of(ui().settings));
   frames(3);
 }
 

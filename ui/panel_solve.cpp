@@ -88,10 +88,13 @@ void panel_solve(UiContext& context) {
   seed_row(context);
   streams_row(context);
   time_limit_row(context);
+  panel_polish(context);
   panel_pins(context);
   const RunFigures figures = context.session.figures();
   if (figures.history.empty()) return;
   ImGui::Dummy(ImVec2(0, ui.look.px(4)));
+  if (const std::string better = polish_summary(figures); !better.empty())
+    text_muted(ui, "Polished: " + better + " than the first net.");
   if (figures.moves == 0 && figures.overlaps == 0) {
     text_muted(ui, "The first net had no overlaps.");
     return;

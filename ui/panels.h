@@ -18,6 +18,10 @@ void panel_parts(UiContext& context);
 /// and how many faces.
 void panel_faces(UiContext& context);
 void panel_solve(UiContext& context);
+/// Its rows about polish.
+void panel_polish(UiContext& context);
+/// "31 % better": by how much less there is to wish for than in the first net; empty before that.
+std::string polish_summary(const RunFigures& figures);
 /// Part of the search's section; nothing where nothing is pinned.
 void panel_pins(UiContext& context);
 /// Why a search found no single piece, and what can be done; nothing while there is nothing to tell.

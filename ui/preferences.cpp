@@ -125,10 +125,22 @@ void dialogs_row(UiState& ui) {
 
 }  // namespace
 
+PolishSettings polish_of(const Settings& settings) {
+  const auto weight = [](int percent) { return percent / 100.0; };
+  return {.effort = static_cast<double>(settings.polish_s),
+          .short_cuts = weight(settings.aim_cuts),
+          .compact = weight(settings.aim_compact),
+          .few_necks = weight(settings.aim_necks),
+          .fits_paper = weight(settings.aim_paper),
+          .root_in_middle = weight(settings.aim_root),
+          .hidden_cuts = weight(settings.aim_hidden)};
+}
+
 void apply_preferences(Session& session, const Settings& settings) {
   session.set_threads(settings.threads);
   session.set_streams(settings.streams);
   session.set_time_limit(settings.time_limit_s);
+  session.set_polish(polish_of(settings));
   session.set_desk_paper(paper_of(settings));
 }
 

@@ -5,6 +5,7 @@
 
 #include "ui/actions.h"
 #include "ui/frame_parts.h"
+#include "ui/panels.h"
 #include "ui/status.h"
 #include "ui/widgets.h"
 
@@ -24,6 +25,13 @@ struct Work {
 Work search_work(const UiContext& c) {
   const RunFigures figures = c.session.figures();
   Work work{c.session.state() == RunState::Paused ? "Paused" : "Unfolding", "", "", 0, true};
+  if (!figures.polish_costs.empty()) {
+    if (c.session.state() != RunState::Paused) work.what = "Polishing";
+    work.detail = polish_summary(figures);
+    work.fraction = figures.polish_fraction;
+    work.left = "Stop keeps the best net so far";
+    return work;
+  }
   work.detail = "move " + grouped(figures.moves);
   const int most = std::max(figures.overlaps_at_start, 1);
   const int gone = std::max(most - figures.overlaps, 0);

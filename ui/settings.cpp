@@ -26,7 +26,8 @@ struct Flag {
   std::string_view key;
   bool Settings::*value;
 };
-constexpr std::array<Flag, 12> kFlags{Flag{"side_panel", &Settings::is_side_open},
+constexpr std::array<Flag, 13> kFlags{Flag{"show_aims", &Settings::shows_aims},
+                                      Flag{"side_panel", &Settings::is_side_open},
                                       Flag{"show_tree", &Settings::show_tree},
                                       Flag{"show_overlaps", &Settings::show_overlaps},
                                       Flag{"show_root", &Settings::show_root},
@@ -46,14 +47,22 @@ struct Number {
   int high;
 };
 constexpr int kFarthest = 32767;  ///< window systems count in 16 bits
-constexpr std::array<Number, 8> kNumbers{Number{"autosave_minutes", &Settings::autosave_minutes, 0, 60},
-                                         Number{"threads", &Settings::threads, 0, 64},
-                                         Number{"streams", &Settings::streams, 1, 16},
-                                         Number{"time_limit_s", &Settings::time_limit_s, 0, 86400},
-                                         Number{"window_width", &Settings::window_width, 0, kFarthest},
-                                         Number{"window_height", &Settings::window_height, 0, kFarthest},
-                                         Number{"window_x", &Settings::window_x, -kFarthest, kFarthest},
-                                         Number{"window_y", &Settings::window_y, -kFarthest, kFarthest}};
+constexpr int kMostWeight = 300;  ///< percent
+constexpr std::array<Number, 15> kNumbers{Number{"autosave_minutes", &Settings::autosave_minutes, 0, 60},
+                                          Number{"threads", &Settings::threads, 0, 64},
+                                          Number{"streams", &Settings::streams, 1, 16},
+                                          Number{"time_limit_s", &Settings::time_limit_s, 0, 86400},
+                                          Number{"polish_s", &Settings::polish_s, 0, 600},
+                                          Number{"aim_cuts", &Settings::aim_cuts, 0, kMostWeight},
+                                          Number{"aim_compact", &Settings::aim_compact, 0, kMostWeight},
+                                          Number{"aim_necks", &Settings::aim_necks, 0, kMostWeight},
+                                          Number{"aim_paper", &Settings::aim_paper, 0, kMostWeight},
+                                          Number{"aim_root", &Settings::aim_root, 0, kMostWeight},
+                                          Number{"aim_hidden", &Settings::aim_hidden, 0, kMostWeight},
+                                          Number{"window_width", &Settings::window_width, 0, kFarthest},
+                                          Number{"window_height", &Settings::window_height, 0, kFarthest},
+                                          Number{"window_x", &Settings::window_x, -kFarthest, kFarthest},
+                                          Number{"window_y", &Settings::window_y, -kFarthest, kFarthest}};
 
 template <class T>
 void read_number(std::string_view text, T low, T high, T& value) {

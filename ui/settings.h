@@ -38,11 +38,19 @@ struct Settings {
   ThemeChoice theme = ThemeChoice::System;
   int scale_percent = 0;  ///< 100 … 200; 0 follows the screen
   LengthUnit unit = LengthUnit::Millimetre;
-  std::string paper;                  ///< the format of new models; empty follows the locale
-  int autosave_minutes = 1;           ///< 1 … 60; 0 = never
-  int threads = 0;                    ///< that search, 1 … 64; 0 = all the machine has
-  int streams = 2;                    ///< independent searches, 1 … 16
-  int time_limit_s = 60;              ///< of a search; 0 = none
+  std::string paper;         ///< the format of new models; empty follows the locale
+  int autosave_minutes = 1;  ///< 1 … 60; 0 = never
+  int threads = 0;           ///< that search, 1 … 64; 0 = all the machine has
+  int streams = 2;           ///< independent searches, 1 … 16
+  int time_limit_s = 60;     ///< of a search; 0 = none
+  int polish_s = 1;          ///< how long nets are improved, 0 … 600; 0 = not at all
+  int aim_cuts = 100;        ///< what for: percent of the usual weight, 0 … 300
+  int aim_compact = 100;
+  int aim_necks = 100;
+  int aim_paper = 0;
+  int aim_root = 0;
+  int aim_hidden = 0;
+  bool shows_aims = false;            ///< the weights of these in the panel
   bool uses_desktop_dialogs = false;  ///< for files, where the desktop has some
   float splitter = 0.5F;              ///< the model view's share of the width, 0.15 … 0.85
   bool is_side_open = true;

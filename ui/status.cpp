@@ -96,7 +96,8 @@ Status status_of(const Session& session) {
     case RunState::Opening:
       return {Tone::Working, "opening…", "opening…"};
     case RunState::Running:
-      return running_status(session.figures(), "unfolding…");
+      return running_status(session.figures(),
+                            session.figures().polish_costs.empty() ? "unfolding…" : "polishing…");
     case RunState::Paused:
       return running_status(session.figures(), "paused at");
     case RunState::Replaying:

@@ -19,6 +19,8 @@ struct RunFigures {
   double seconds = 0;
   std::vector<int> history;  ///< overlaps over moves, for the chart
   std::int64_t history_stride = 1;
+  double polish_fraction = 0;        ///< of the work that polish may do
+  std::vector<double> polish_costs;  ///< what was left to wish for, see PolishView; empty before polish
   std::int64_t at_move =
       -1;  ///< the moment of the history that is looked at, in moves from its start; -1 = none
 };

@@ -110,6 +110,10 @@ void SearchRun::take_figures(const Snapshot& snapshot) {
   figures_.restarts = snapshot.restarts;
   figures_.history = snapshot.history;
   figures_.history_stride = snapshot.history_stride;
+  if (snapshot.polish) {
+    figures_.polish_fraction = snapshot.polish->fraction;
+    figures_.polish_costs = snapshot.polish->costs;
+  }
   take_rate(snapshot);
 }
 
