@@ -15,15 +15,14 @@ TEST(PolishPanel, SetsHowLongAndWhatFor) {
   gui.enter("polish/seconds", "3");
   EXPECT_EQ(gui.session().polish().effort, 3);
   EXPECT_EQ(gui.session().polish().fits_paper, 0);
-  gui.click("polish/fit");
-  EXPECT_EQ(gui.session().polish().fits_paper, 1);
-  EXPECT_FALSE(gui.widgets.find("polish/necks"));
+  EXPECT_FALSE(gui.widgets.find("polish/page"));
   gui.click("polish/weights");
   gui.frames(2);
-  EXPECT_TRUE(gui.widgets.find("polish/necks"));
+  gui.click("polish/page");
+  EXPECT_NEAR(gui.session().polish().fits_paper, 1.5, 0.2) << "the middle of its slider";
   gui.enter("polish/seconds", "0");
   gui.frames(2);
-  EXPECT_FALSE(gui.widgets.find("polish/fit")) << "nothing to weigh when nothing is polished";
+  EXPECT_FALSE(gui.widgets.find("polish/page")) << "nothing to weigh when nothing is polished";
 }
 
 TEST(PolishPanel, PolishesTheNextNet) {

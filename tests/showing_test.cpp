@@ -100,8 +100,7 @@ TEST(OverlapDepth, IsTheShortestWayOut) {
 TEST(OverlapPanel, ListsTheDeepestFirstAndFliesThere) {
   Gui gui;
   leave_overlaps(gui);
-  for (const Section other : {Section::Solve, Section::Runs, Section::Paper})
-    gui.ui().settings.is_open(other) = false;
+  gui.ui().settings.open_sections.fill(false);
   gui.frames(3);
   gui.click("section/Overlaps");
   gui.frames(3);

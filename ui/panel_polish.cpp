@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "assets/icons.h"
 #include "ui/panels.h"
 #include "ui/preferences.h"
 #include "ui/widgets.h"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr double kLongest = 600;  ///< seconds
 constexpr int kMostWeight = 300;  ///< percent
-constexpr int kUsualWeight = 100;
 
 struct Aim {
   const char* name;
@@ -35,14 +35,18 @@ constexpr std::array<Aim, 6> kAims{
 
 bool seconds_row(UiContext& c) {
   UiState& ui = c.ui;
-  ImGui::SetNextItemWidth(row(ui, "Polish") - ui.look.px(16));
+  ImGui::SetNextItemWidth(row(ui, "Polish") - ui.look.px(16) - ui.look.px(40));
   double seconds = ui.settings.polish_s;
   const bool is_changed = number_field(ui, "polish/seconds", seconds, seconds > 0 ? "%.0f s" : "off");
   if (is_changed) ui.settings.polish_s = static_cast<int>(std::lround(std::clamp(seconds, 0.0, kLongest)));
-  tooltip(
-      ui,
-      "How long the first net is improved: fewer and shorter cuts, a compact net, no necks. 0 is not at all. "
-      "Stop keeps the best so far");
+  tooltip(ui,
+          "How long the first net is improved: fewer and shorter cuts, a compact net, no necks. 0 is not at "
+          "all. Stop keeps the best so far");
+  ImGui::SameLine();
+  ButtonSpec weights{"polish/weights", "", icon::kTune, "What nets are improved for", ButtonKind::Outlined};
+  weights.width = ui.look.px(32);
+  weights.height = ImGui::GetFrameHeight();
+  if (button(ui, weights)) ui.settings.shows_aims = !ui.settings.shows_aims;
   return is_changed;
 }
 
@@ -64,17 +68,8 @@ bool weight_row(UiContext& c, const Aim& aim) {
 void panel_polish(UiContext& context) {
   UiState& ui = context.ui;
   bool is_changed = seconds_row(context);
-  if (ui.settings.polish_s > 0) {
-    bool fits = ui.settings.aim_paper > 0;
-    if (checkbox(ui, "polish/fit", "Try to fit one page", fits,
-                 "Looks for a net that one page of the chosen paper holds at the chosen size")) {
-      ui.settings.aim_paper = fits ? kUsualWeight : 0;
-      is_changed = true;
-    }
-    checkbox(ui, "polish/weights", "Weigh what for", ui.settings.shows_aims, "What nets are improved for");
-    if (ui.settings.shows_aims)
-      for (const Aim& aim : kAims) is_changed = weight_row(context, aim) || is_changed;
-  }
+  if (ui.settings.shows_aims && ui.settings.polish_s > 0)
+    for (const Aim& aim : kAims) is_changed = weight_row(context, aim) || is_changed;
   if (is_changed) context.session.set_polish(polish_of(ui.settings));
 }
 
