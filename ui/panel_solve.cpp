@@ -94,7 +94,7 @@ void panel_solve(UiContext& context) {
   if (figures.history.empty()) return;
   ImGui::Dummy(ImVec2(0, ui.look.px(4)));
   if (const std::string better = polish_summary(figures); !better.empty())
-    text_muted(ui, "Polished: " + better + " than the first net.");
+    text_muted(ui, "Polished: " + better);
   if (figures.moves == 0 && figures.overlaps == 0) {
     text_muted(ui, "The first net had no overlaps.");
     return;
