@@ -11,6 +11,7 @@
 #include "app/cli_bench_log.h"
 #include "app/cli_bench_place.h"
 #include "app/cli_bench_plan.h"
+#include "app/cli_bench_polish.h"
 #include "app/cli_bench_report.h"
 #include "app/cli_bench_table.h"
 #include "app/cli_commands.h"
@@ -166,6 +167,7 @@ class Bench {
     }
     if (was_interrupted_) return tell_stop();
     log_->finish(tell_figures(log_->record(), command_.streams));
+    if (const std::string table = polish_.text(); !table.empty()) print(table);
     report(command_.report, log_->record(), command_.streams);
     return kDone;
   }
@@ -226,6 +228,7 @@ class Bench {
     options.streams = command_.streams;
     options.threads = command_.threads;
     options.search = command_.search;
+    if (command_.polish > 0) options.polish = bench_polish(model.dual->mesh(), command_.polish);
     if (!pool_) pool_ = std::make_unique<ThreadPool>(n_threads(options));
     SolveHooks hooks;
     hooks.pool = pool_.get();
@@ -234,8 +237,9 @@ class Bench {
       const Watched watched = watch(line, limit, [&](Progress& progress) {
         const double start = now_seconds();
         const SolveResult result = solve(model.dual, options, progress, hooks);
-        row.wall_seconds = now_seconds() - start;
+        row.wall_seconds = now_seconds() - start - result.finish_seconds;
         enter(result, row);
+        polish_.add(row.folder, result);
       });
       if (!row.is_solved && row.note.empty())
         row.note =
@@ -282,6 +286,7 @@ class Bench {
   std::size_t run_ = 0;  // the one that is on, counted from 1
   bool was_interrupted_ = false;
   std::unique_ptr<BenchLog> log_;
+  PolishTable polish_;
   Interrupts interrupts_;  // before the worker, whose threads have to hold Ctrl-C back as well
   Worker worker_;
   std::unique_ptr<ThreadPool> pool_;  // made with the first run

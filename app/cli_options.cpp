@@ -513,8 +513,14 @@ class Reader {
         ->check(within(std::int64_t{1}, std::int64_t{1000000}, "a whole number from 1 to 1000000"))
         ->capture_default_str();
     add_search(*bench_app_, bench_, "Longest search of one run in seconds, 0 = none");
+    CLI::Option* polish = bench_app_
+                              ->add_option("--polish", bench_.polish,
+                                           "Polish each net for so long, too, and tell what that brings")
+                              ->type_name("S")
+                              ->check(within(0.0, 3600.0, "a number of seconds from 0 to 3600"));
     bench_app_->add_option("--tsv", bench_.tsv, "Table of all runs; there already, it is gone on with")
-        ->type_name("OUT");
+        ->type_name("OUT")
+        ->excludes(polish);
     bench_app_
         ->add_option("--report", bench_.report,
                      "Page with tables and plots beside the paper's; without PATH, of the table in OUT")

@@ -92,6 +92,7 @@ struct BenchCommand {
   int streams = 1;
   int threads = 1;  ///< 0 = as many as there are streams and cores
   SearchStyle search = SearchStyle::Fast;
+  double polish = 0;             ///< effort for each net; 0 = none is polished
   std::filesystem::path tsv;     ///< empty = keep no rows
   std::filesystem::path report;  ///< folder for a page with plots, empty = none
 };

@@ -123,6 +123,20 @@ TEST_F(BenchCommandLine, NeedsNoFileForItsTable) {
   EXPECT_EQ(files(), (Strings{"models"}));
 }
 
+TEST_F(BenchCommandLine, TellsWhatPolishBrings) {
+  write("ball.obj", shapes::icosphere(3));
+  write("torus.obj", shapes::torus(9, 7));
+  const Ended ended = run({"bench", folder_.string(), "--polish", "0.05"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const std::size_t table = ended.out.find("Polish (medians");
+  ASSERT_NE(table, std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("\n2      -", table), std::string::npos) << "two nets with shorter cuts\n"
+                                                                    << ended.out;
+  EXPECT_EQ(run({"bench", folder_.string()}).out.find("Polish (medians"), std::string::npos);
+  EXPECT_EQ(run({"bench", folder_.string(), "--polish", "1", "--tsv", at("runs.tsv")}).status, 1)
+      << "a table of runs has no room for it";
+}
+
 TEST_F(BenchCommandLine, AddsOnlyWhatIsMissing) {
   ASSERT_EQ(bench({models_.string()}).status, 0);
   const std::vector<Row> before = rows();
