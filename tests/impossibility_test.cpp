@@ -19,7 +19,6 @@
 namespace netwright {
 namespace {
 
-using testing::HatShape;
 using testing::make_dual;
 using testing::with_hats;
 using testing::zoo;
