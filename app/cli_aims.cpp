@@ -88,10 +88,12 @@ std::string polish_line(const SolveResult& result) {
   const PolishFigures before = polish_figures(layout(result.net.dual, report.first));
   const PolishFigures after = polish_figures(result.net);
   const double shorter = before.cut_length > 0 ? 1 - after.cut_length / before.cut_length : 0;
-  std::string line = "Polished: cuts " + percent(std::abs(shorter)) + (shorter < 0 ? " longer" : " shorter") +
-                     " · hull " + percent(after.hull_fill) + " filled (" + percent(before.hull_fill) +
-                     ") · " + counted(report.necks_after, "neck", "necks") + " under 3 mm (" +
-                     grouped(report.necks_before) + ")";
+  const std::string change = std::abs(shorter) < 0.005
+                                 ? "as long"
+                                 : percent(std::abs(shorter)) + (shorter < 0 ? " longer" : " shorter");
+  std::string line = "Polished: cuts " + change + " · hull " + percent(after.hull_fill) + " filled (" +
+                     percent(before.hull_fill) + ") · " + counted(report.necks_after, "neck", "necks") +
+                     " under 3 mm (" + grouped(report.necks_before) + ")";
   if (report.size_after > 1) {
     char text[96];
     std::snprintf(text, sizeof text, " · %.0f %% too large for the page (%.0f %%)",

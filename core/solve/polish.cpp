@@ -16,6 +16,7 @@ namespace {
 constexpr double kHot = 0.03;
 constexpr double kWarm = 0.01;  ///< where further cycles begin
 constexpr double kCold = 0.001;
+constexpr double kUsualFaces = 400;
 
 constexpr int kMostTries = 4;              ///< exchanges for one cut that are asked for overlaps
 constexpr double kWorkOfSecond = 800'000;  ///< tests for overlaps, as a two-core x86-64 machine does them
@@ -40,6 +41,7 @@ class Polisher::Search {
         best_folds_(folds),
         proved_folds_(folds) {
     now_ = best_ = proved_ = cost_.measure();
+    cooling_ = std::min(1.0, kUsualFaces / model.n_faces);
     unit_ = std::min(kWorkOfSecond, kWorkPerFace * model.n_faces);
     left_ = settings().effort * unit_;
     for (int h = 0; h < model.n_halfedges; ++h)
@@ -95,7 +97,7 @@ class Polisher::Search {
   }
 
   void improve() {
-    const double temperature = hot_ * std::pow(kCold / hot_, done_ / cycle_);
+    const double temperature = cooling_ * hot_ * std::pow(kCold / hot_, done_ / cycle_);
     done_ += 1 / kStepsPerTest;
     const int wanted = hinges_[at(random_.below(static_cast<int>(hinges_.size())))];
     if (state_.is_fold(wanted)) return;
@@ -204,6 +206,7 @@ class Polisher::Search {
   double cycle_ = 0;  ///< work of this cycle
   double done_ = 0;   ///< of it
   double hot_ = kHot;
+  double cooling_ = 1;  ///< of a large model, where an exchange changes less of the whole
   int n_applies_ = 0;
 };
 
