@@ -160,8 +160,7 @@ void release_rows(UiContext& c) {
   }
   wrapped(ui,
           found->ways.size() > 1 ? "Releasing any one of these gives a net:" : "Releasing this gives a net:");
-  const auto ways = found;  // a button may replace it
-  for (std::size_t i = 0; i < std::min(ways->ways.size(), kMostWays); ++i) way_row(c, ways->ways[i], i);
+  for (std::size_t i = 0; i < std::min(found->ways.size(), kMostWays); ++i) way_row(c, found->ways[i], i);
 }
 
 ButtonSpec take_button(const std::string& name, const std::string& label, const char* tip) {
