@@ -276,8 +276,8 @@ TEST_F(CommandLine, TellsWhyThereIsNoNet) {
 
 TEST_F(CommandLine, SoftensAShapeThatHasNoNet) {
   const std::string model = write("hats.obj", shapes::to_obj(testing::with_hats(shapes::tetrahedron())));
-  const Json json =
-      run_json({"unfold", model, "-o", at("net.fold"), "--soften", "1000", "--time-limit", "20", "--json"}, 0);
+  const Json json = run_json(
+      {"unfold", model, "-o", at("net.fold"), "--soften", "1000", "--time-limit", "20", "--json"}, 0);
   EXPECT_EQ(json.find("verified")->boolean(), true);
   ASSERT_NE(json.find("softened"), nullptr);
   EXPECT_GT(json.find("softened")->find("deviation_mm")->number(), 0.0);

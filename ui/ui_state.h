@@ -186,7 +186,7 @@ struct UiState {
 
   std::shared_ptr<const ReplaceReport> seen_replacement;    ///< the list of it was opened,
   std::shared_ptr<const ReplaceReport> closed_replacement;  ///< and that of this one closed
-  std::shared_ptr<const Trouble> closed_trouble;  ///< the bar about it was closed
+  std::shared_ptr<const Trouble> closed_trouble;            ///< the bar about it was closed
   double asked_height_mm = 0;  ///< what stands in the field of the question about the size; 0 = the usual
   RunPictures* run_pictures = nullptr;  ///< the workspace's
   KeyFocus* focus = nullptr;            ///< the workspace's

@@ -17,7 +17,7 @@ inline constexpr double kProofDepth = 1e-9;
 inline constexpr double kSolveDepth = 2e-11;
 
 /// An overlap that helps to prove that there is no net is deeper than this, in mean edges: a thousand times
-/// what a net may have, so that no doubtful contact ever stands in a proof, and far below anything paper shows.
+/// what a net may have, so that no doubtful contact ever stands in a proof, and far below what paper shows.
 inline constexpr double kImpossibleDepth = 1e-6;
 
 /// Corners of a stored net nearer to each other, or to a foreign edge, than this, in mean edges, touch: above
