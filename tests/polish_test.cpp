@@ -213,6 +213,26 @@ TEST(Polish, TellsWhenAPageCannotBeFit) {
   EXPECT_GT(result.polished->size_after, 2);
 }
 
+TEST(Polish, TellsTheFiguresOfTheNetThatComesOut) {
+  const auto dual = make_dual(shapes::grid_cube(4));
+  SolveOptions options = polished({.effort = 0.04, .few_necks = 0, .fits_paper = 1});
+  const double scale = 2.5 / dual->mesh().mean_edge();
+  options.polish->scale = [scale](const Net&) { return scale; };
+  options.polish->rooms_mm = {{24, 24}};
+  options.tabs = TabAim{{}, [](const Net& net) { return kMeanEdgeMm / net.mesh().mean_edge(); }};
+  const SolveResult result = solved(dual, options);
+  ASSERT_TRUE(result.is_proved);
+  const SearchModel model = search_models(*dual).front();
+  std::vector<char> folds;
+  for (const HalfedgeId h : model.mesh_halfedge)
+    folds.push_back(result.net.tree.is_fold(dual->mesh(), dual->mesh().edge(h)) ? 1 : 0);
+  SearchState state(model, 2e-11);
+  state.set_tree(folds);
+  const double mm = scale * dual->mesh().mean_edge();
+  EXPECT_EQ(NetShape(*dual, model, state, kNeckWidth / mm).necks(), result.polished->necks_after);
+  EXPECT_DOUBLE_EQ(Supports(state).size_in(glm::dvec2(24) / mm), result.polished->size_after);
+}
+
 TEST(Polish, BringsTheRootToTheMiddle) {
   const auto dual = make_dual(shapes::icosphere(3));
   const auto distance = [&](double weight) {

@@ -1,6 +1,9 @@
 // Works on one component after the other, in states of its own: the searches that found the net are over.
 #include "core/solve/finish.h"
 
+#include <limits>
+#include <optional>
+
 #include "core/base/cpu_time.h"
 #include "core/base/predicates.h"
 #include "core/solve/tab_room.h"
@@ -36,6 +39,7 @@ void Finish::run() {
   const double before = thread_cpu_seconds();
   if (options_->polish && options_->polish->settings.effort > 0 && !options_->stays_near) polish();
   if (options_->tabs && options_->tabs->settings.is_on) make_room_for_tabs();
+  if (result_->polished) tell_what_is_left();
   result_->finish_seconds = thread_cpu_seconds() - before;
 }
 
@@ -73,33 +77,50 @@ void Finish::log(double cost) {
   logged_cost_ = cost;
 }
 
+// Told of the net that is the result: one that was refused, and what tabs cost afterwards, must not be left
+// out.
+void Finish::tell_what_is_left() {
+  PolishReport& report = *result_->polished;
+  report.necks_after = 0;
+  report.size_after = 0;
+  for (std::size_t c = 0; c < models_->size(); ++c) {
+    SearchState state((*models_)[c], kSolveDepth);
+    state.set_tree(folds_of(c));
+    const NetCosts costs = NetCost(*dual_, (*models_)[c], state, task_of(c)).measure();
+    report.necks_after += costs.necks;
+    report.size_after = std::max(report.size_after, costs.size);
+  }
+}
+
+PolishTask Finish::task_of(std::size_t c) const {
+  return polish_task(*dual_, (*models_)[c], *options_->polish, result_->polished->scale, options_->pins.root);
+}
+
 void Finish::polish() {
   PolishReport& report = result_->polished.emplace();
   report.first = result_->net.tree;
   report.scale = options_->polish->scale(result_->net);
-  for (std::size_t c = 0; c < models_->size() && !progress_->is_cancelled(); ++c)
-    polish_component(
-        c, polish_task(*dual_, (*models_)[c], *options_->polish, report.scale, options_->pins.root));
+  for (std::size_t c = 0; c < models_->size() && !progress_->is_cancelled(); ++c) polish_component(c);
 }
 
-void Finish::polish_component(std::size_t c, const PolishTask& task) {
-  Polisher polisher(*dual_, (*models_)[c], folds_of(c), task, Random(options_->seed, kPolishStream + c),
+void Finish::polish_component(std::size_t c) {
+  Polisher polisher(*dual_, (*models_)[c], folds_of(c), task_of(c), Random(options_->seed, kPolishStream + c),
                     *progress_);
   PolishReport& report = *result_->polished;
   report.necks_before += polisher.best().necks;
   report.size_before = std::max(report.size_before, polisher.best().size);
   const auto n = static_cast<double>(models_->size());
-  view_.costs.push_back(polisher.best().sum);
+  double cost = polisher.best().sum;
+  logged_cost_ = std::numeric_limits<double>::infinity();
+  view_.costs.push_back(cost);
   bool goes_on = true;
   while (goes_on && !progress_->is_cancelled()) {
     goes_on = polisher.advance();
-    if (take(c, polisher.best_folds())) log(polisher.best().sum);
+    if (take(c, polisher.best_folds())) log(cost = polisher.best().sum);
     view_.fraction = (static_cast<double>(c) + polisher.fraction()) / n;
-    view_.costs.push_back(polisher.best().sum);
+    view_.costs.push_back(cost);
     if (!showing_->show_polished(result_->net, view_)) progress_->cancel();
   }
-  report.necks_after += polisher.best().necks;
-  report.size_after = std::max(report.size_after, polisher.best().size);
 }
 
 void Finish::make_room_for_tabs() {
@@ -113,12 +134,11 @@ void Finish::find_room(std::size_t c, double scale) {
   SearchState state(model, kSolveDepth);
   state.set_tree(folds_of(c));
   const TabRoom room(*dual_, model, scale, options_->tabs->settings);
-  const PolishAim aim = options_->polish.value_or(PolishAim{});
-  NetCost polish(*dual_, model, state, polish_task(*dual_, model, aim, scale, options_->pins.root));
-  const bool is_polished = result_->polished.has_value();
+  std::optional<NetCost> polish;
+  if (result_->polished) polish.emplace(*dual_, model, state, task_of(c));
   const auto judge = [&](const SearchState& net) {
     Judgement judgement = room(net);
-    if (is_polished) judgement.cost += kTabsPerPolish * polish.measure().sum;
+    if (polish) judgement.cost += kTabsPerPolish * polish->measure().sum;
     return judgement;
   };
   Random random(options_->seed, kTabStream + c);

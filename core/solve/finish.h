@@ -26,7 +26,9 @@ class Finish {
 
  private:
   void polish();
-  void polish_component(std::size_t c, const PolishTask& task);
+  void polish_component(std::size_t c);
+  [[nodiscard]] PolishTask task_of(std::size_t c) const;
+  void tell_what_is_left();
   void make_room_for_tabs();
   void find_room(std::size_t c, double scale);
   [[nodiscard]] bool take(std::size_t c, const std::vector<char>& folds);

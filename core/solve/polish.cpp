@@ -85,6 +85,7 @@ class Polisher::Search {
   void end_cycle() {
     left_ -= done_;
     done_ = 0;
+    has_cycled_ = true;
     hot_ = kWarm;
     if (left_ <= 0 || is_content()) return;
     restore(proved_folds_);
@@ -93,7 +94,7 @@ class Polisher::Search {
 
   /// Nothing left to wish for; where a page is to be fit, that it fits, once a cycle has been done.
   [[nodiscard]] bool is_content() const {
-    return proved_.sum <= kNothing || (settings().fits_paper > 0 && hot_ == kWarm && proved_.size <= 1);
+    return proved_.sum <= kNothing || (settings().fits_paper > 0 && has_cycled_ && proved_.size <= 1);
   }
 
   void improve() {
@@ -201,10 +202,11 @@ class Polisher::Search {
   NetCosts proved_;
   std::vector<char> best_folds_;
   std::vector<char> proved_folds_;
-  double unit_ = 0;   ///< work of an effort of 1
-  double left_ = 0;   ///< work of this cycle and all after it
-  double cycle_ = 0;  ///< work of this cycle
-  double done_ = 0;   ///< of it
+  double unit_ = 0;          ///< work of an effort of 1
+  double left_ = 0;          ///< work of this cycle and all after it
+  double cycle_ = 0;         ///< work of this cycle
+  double done_ = 0;          ///< of it
+  bool has_cycled_ = false;  ///< one cycle at least is over
   double hot_ = kHot;
   double cooling_ = 1;  ///< of a large model, where an exchange changes less of the whole
   int n_applies_ = 0;
