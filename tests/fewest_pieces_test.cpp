@@ -10,10 +10,14 @@
 #include "core/base/random.h"
 #include "core/solve/solve.h"
 #include "core/unfold/overlap.h"
+#include "tests/hatted_shapes.h"
 #include "tests/support.h"
 
 namespace netwright {
 namespace {
+
+/// Where a notch is narrow, its walls must be pieces of their own.
+constexpr testing::CupRange kFlatCups{1.2, 2, 0.1, 0.5, 0.3, 1, 0, 0.12, 0.2};
 
 using testing::make_dual;
 using testing::with_hats;
@@ -42,30 +46,6 @@ void expect_sound(const PiecesResult& result) {
     EXPECT_TRUE(report.is_net) << (report.faults.empty() ? "" : report.faults.front());
     EXPECT_NEAR(choice.cut_length, length_of_cuts(choice.net), 1e-9);
   }
-}
-
-/// A flat star of four points with walls that lean outwards, open below: where a notch is narrow, its walls
-/// must be pieces of their own.
-PolygonSoup random_cup(Random& random) {
-  constexpr int n = 8;
-  const double spread = 1.2 + 2 * random.unit();
-  const double height = 0.1 + 0.5 * random.unit();
-  PolygonSoup soup;
-  std::vector<int> lid;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * M_PI * (i + 0.3 * random.unit()) / n;
-    const double r = i % 2 == 0 ? 1 : 0.12 + 0.2 * random.unit();
-    soup.points.emplace_back(r * std::cos(angle), r * std::sin(angle), height);
-    lid.push_back(i);
-  }
-  soup.add_face(lid);
-  for (int i = 0; i < n; ++i) {
-    const glm::dvec3 above = soup.points[static_cast<std::size_t>(i)];
-    soup.points.emplace_back(spread * above.x, spread * above.y, 0);
-    const int j = (i + 1) % n;
-    soup.add_face(std::vector<int>{j, i, n + i, n + j});
-  }
-  return soup;
 }
 
 /// Tries all ways to choose so many folds.
@@ -100,7 +80,7 @@ TEST(FewestPieces, AreAsFewAsTryingEverythingFinds) {
   Random random(11);
   std::vector<int> seen;
   for (int k = 0; k < 14; ++k) {
-    const PolygonSoup cup = random_cup(random);
+    const PolygonSoup cup = testing::random_cup(random, kFlatCups);
     const PiecesResult result = pieces_of(cup);
     expect_sound(result);
     const int fewest = fewest_by_trying_all(make_dual(cup));

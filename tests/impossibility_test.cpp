@@ -14,10 +14,13 @@
 #include "core/solve/prove_regions.h"
 #include "core/solve/solve.h"
 #include "core/unfold/overlap.h"
+#include "tests/hatted_shapes.h"
 #include "tests/support.h"
 
 namespace netwright {
 namespace {
+
+constexpr testing::CupRange kCups{1, 1.5, 0.1, 1, 0.4, 0.8, 0.6, 0.12, 0.3};
 
 using testing::make_dual;
 using testing::with_hats;
@@ -133,36 +136,12 @@ bool has_net(const std::shared_ptr<const DualGraph>& dual) {
   return try_from(try_from, 0, mesh.n_faces() - 1);
 }
 
-/// A star of four points with walls that lean outwards all around, open below: in narrow notches the walls
-/// may have no room.
-PolygonSoup random_cup(Random& random) {
-  constexpr int n = 8;
-  const double spread = 1 + 1.5 * random.unit();
-  const double height = 0.1 + random.unit();
-  PolygonSoup soup;
-  std::vector<int> lid;
-  for (int i = 0; i < n; ++i) {
-    const double angle = 2 * M_PI * (i + 0.4 * random.unit()) / n;
-    const double r = i % 2 == 0 ? 0.8 + 0.6 * random.unit() : 0.12 + 0.3 * random.unit();
-    soup.points.emplace_back(r * std::cos(angle), r * std::sin(angle), height);
-    lid.push_back(i);
-  }
-  soup.add_face(lid);
-  for (int i = 0; i < n; ++i) {
-    const glm::dvec3 above = soup.points[static_cast<std::size_t>(i)];
-    soup.points.emplace_back(spread * above.x, spread * above.y, 0);
-    const int j = (i + 1) % n;
-    soup.add_face(std::vector<int>{j, i, n + i, n + j});
-  }
-  return soup;
-}
-
 TEST(Impossibility, AgreesWithTryingEveryTree) {
   Random random(5);
   int n_without = 0;
   int n_with = 0;
   for (int k = 0; k < 30; ++k) {
-    const auto dual = make_dual(random_cup(random));
+    const auto dual = make_dual(testing::random_cup(random, kCups));
     const Progress progress;
     const ProveAnswer answer = prove_impossible(dual, {}, progress).answer;
     const bool is_possible = has_net(dual);

@@ -1,24 +1,13 @@
 // A session after a search that found no net: what it tells, and how pins that stand in the way are released.
 #include <gtest/gtest.h>
 
+#include "tests/hatted_shapes.h"
 #include "tests/session_support.h"
 
 namespace netwright {
 namespace {
 
 using testing::SessionTest;
-
-/// An octahedron, one face of which wears a hat.
-std::string one_hat() {
-  const PolygonSoup plain = shapes::octahedron();
-  PolygonSoup first = plain;
-  first.face_begin = {0};
-  first.corners.clear();
-  first.add_face(plain.face(0));
-  PolygonSoup soup = testing::with_hats(first);
-  for (int f = 1; f < plain.n_faces(); ++f) soup.add_face(plain.face(f));
-  return shapes::to_obj(soup);
-}
 
 class SessionWhyTest : public SessionTest {
  protected:
@@ -40,7 +29,7 @@ class SessionWhyTest : public SessionTest {
     ASSERT_FALSE(session_.shown()->is_proved);
   }
   void fail_with_pins() {
-    open(one_hat());
+    open(shapes::to_obj(testing::one_hat()));
     pin_the_brim();
     search_in_vain();
   }

@@ -7,25 +7,15 @@
 #include <algorithm>
 #include <numbers>
 
+#include "tests/hatted_shapes.h"
 #include "tests/support.h"
 
 namespace netwright {
 namespace {
 
 using testing::make_dual;
+using testing::one_hat;
 using testing::with_hats;
-
-// One face of an octahedron wears a hat; its faces come first, three to a side: outer, inner, tip.
-std::shared_ptr<const DualGraph> one_hat() {
-  const PolygonSoup plain = shapes::octahedron();
-  PolygonSoup first = plain;
-  first.face_begin = {0};
-  first.corners.clear();
-  first.add_face(plain.face(0));
-  PolygonSoup soup = with_hats(first);
-  for (int f = 1; f < plain.n_faces(); ++f) soup.add_face(plain.face(f));
-  return make_dual(soup);
-}
 
 EdgeId edge_between(const Mesh& mesh, int a, int b) {
   for (const HalfedgeId h : mesh.halfedges(FaceId(a)))
@@ -60,7 +50,7 @@ TEST(Trouble, CountsTheIterationsOfAllStreams) {
 }
 
 TEST(Trouble, IsHottestAtTheOnlyHat) {
-  const auto dual = one_hat();
+  const auto dual = make_dual(one_hat());
   const SolveResult result = searched(dual, with_brim_pinned(*dual));
   ASSERT_FALSE(result.is_proved);
   const Trouble trouble = find_trouble(result);
@@ -72,7 +62,7 @@ TEST(Trouble, IsHottestAtTheOnlyHat) {
 }
 
 TEST(Trouble, NamesTheCornersOfTheBrim) {
-  const auto dual = one_hat();
+  const auto dual = make_dual(one_hat());
   const Mesh& mesh = dual->mesh();
   const Trouble trouble = find_trouble(searched(dual, with_brim_pinned(*dual)));
   ASSERT_FALSE(trouble.points.empty());
@@ -93,7 +83,7 @@ TEST(Trouble, IsNothingWhereTheFirstNetWasFine) {
 }
 
 TEST(Trouble, ReleasesThePinThatIsInTheWay) {
-  const auto dual = one_hat();
+  const auto dual = make_dual(one_hat());
   const SolveOptions options = with_brim_pinned(*dual);
   ASSERT_FALSE(find_contradiction(*dual, options.pins));
   const SolveResult result = searched(dual, options);
@@ -144,7 +134,7 @@ TEST(Trouble, AcquitsPinsWhereThereIsNoNetAnyway) {
 }
 
 TEST(Trouble, StopsTryingWhenCancelled) {
-  const auto dual = one_hat();
+  const auto dual = make_dual(one_hat());
   Progress progress;
   progress.cancel();
   const Releases found = find_releases(dual, with_brim_pinned(*dual), {}, progress);

@@ -2,24 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/gui_support.h"
+#include "tests/hatted_shapes.h"
 #include "tests/support.h"
 
 namespace netwright {
 namespace {
 
 using namespace testing;
-
-/// An octahedron, one face of which wears a hat.
-std::string one_hat() {
-  const PolygonSoup plain = shapes::octahedron();
-  PolygonSoup first = plain;
-  first.face_begin = {0};
-  first.corners.clear();
-  first.add_face(plain.face(0));
-  PolygonSoup soup = with_hats(first);
-  for (int f = 1; f < plain.n_faces(); ++f) soup.add_face(plain.face(f));
-  return shapes::to_obj(soup);
-}
 
 class WhyGui : public ::testing::Test {
  protected:
@@ -50,7 +39,8 @@ class WhyGui : public ::testing::Test {
 };
 
 TEST_F(WhyGui, TheBarComesWithTheFailureAndGoesWithTheNextSearch) {
-  open(shapes::to_obj(with_hats(shapes::tetrahedron())));
+  // So large that nobody asks for a proof, which would end the next search before it is looked at.
+  open(shapes::to_obj(endless_search()));
   EXPECT_FALSE(gui_.widgets.find("why/bar"));
   search_in_vain();
   EXPECT_TRUE(gui_.widgets.find("why/bar"));
@@ -102,7 +92,7 @@ TEST_F(WhyGui, ACornerIsShownInBothViews) {
 }
 
 TEST_F(WhyGui, APinIsFoundAndReleasedWithTwoClicks) {
-  open(one_hat());
+  open(shapes::to_obj(one_hat()));
   pin_the_brim();
   search_in_vain();
   gui_.click("why/pins");
