@@ -63,15 +63,19 @@ TEST(Worker, LetsTheSearchGiveWayToEverythingElse) {
 TEST(Worker, RunsChoresBesideASearch) {
   Worker worker;
   std::latch search_started(1);
-  std::latch chore_done(1);
+  std::latch search_may_end(1);
+  std::atomic<bool> chore_ran{false};
   worker.submit(Worker::Lane::Search, [&](Progress&) {
     search_started.count_down();
-    chore_done.wait();
+    search_may_end.wait();
   });
   search_started.wait();
-  worker.submit(Worker::Lane::Chores, [&](Progress&) { chore_done.count_down(); });
+  worker.submit(Worker::Lane::Chores, [&](Progress&) { chore_ran = true; });
+  wait_until_idle(worker, Worker::Lane::Chores);
+  EXPECT_TRUE(chore_ran);
+  EXPECT_FALSE(worker.is_idle(Worker::Lane::Search));
+  search_may_end.count_down();
   wait_until_idle(worker, Worker::Lane::Search);
-  EXPECT_TRUE(worker.is_idle(Worker::Lane::Chores));
 }
 
 TEST(Worker, CancelsOneJobByItsProgressAndGoesOnWithTheNext) {
