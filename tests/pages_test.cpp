@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/best_angle.h"
 #include "core/base/error.h"
-#include "core/sheet/best_angle.h"
 #include "core/sheet/pack.h"
 #include "core/sheet/pack_outlines.h"
 #include "core/sheet/piece_shapes.h"

@@ -2,7 +2,12 @@
 // or stopped.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/unfold/net_size.h"
 #include "tests/gui_support.h"
+#include "ui/panels.h"
 
 namespace netwright::testing {
 namespace {
@@ -37,6 +42,120 @@ TEST(PolishPanel, PolishesTheNextNet) {
   ASSERT_GT(costs.size(), 2U);
   EXPECT_LT(costs.back(), 0.9 * costs.front());
   EXPECT_TRUE(gui.session().project().run->is_proved);
+}
+
+TEST(PolishPanel, ChartsWhatTheCutsAndThePaperCameDownTo) {
+  Gui gui;
+  gui.open_sample("Bunny");
+  EXPECT_FALSE(gui.widgets.find("polish/chart"));
+  gui.enter("polish/seconds", "1");
+  gui.key(' ');
+  ASSERT_TRUE(gui.until([&] { return gui.session().figures().polish_stations.size() > 1; }));
+  gui.frames(2);
+  EXPECT_TRUE(gui.widgets.find("polish/chart")) << "while it goes on";
+  const auto first = gui.session().project().tree;
+  ASSERT_TRUE(gui.until([&] { return is_idle(gui) && gui.session().project().tree != first; }));
+  gui.frames(2);
+  EXPECT_TRUE(gui.widgets.find("polish/chart")) << "and when it is over";
+  const RunFigures figures = gui.session().figures();
+  const Net& net = gui.session().shown()->net;
+  EXPECT_DOUBLE_EQ(figures.polish_stations.back().cut_length, cut_length(net));
+  EXPECT_DOUBLE_EQ(figures.polish_stations.back().paper, paper_area(piece_hulls(net)));
+  const double cuts = figures.polish_stations.back().cut_length / figures.polish_stations.front().cut_length;
+  EXPECT_LT(cuts, 1);
+  EXPECT_TRUE(polish_shares(figures).starts_with("Cuts " + std::to_string(std::lround(100 * cuts)) + " %"))
+      << polish_shares(figures);
+}
+
+TEST(PolishPanel, TheTimelineMarksItsPlaceInTheChart) {
+  Gui gui;
+  gui.open_sample("Bunny");
+  gui.enter("polish/seconds", "1");
+  gui.key(' ');
+  ASSERT_TRUE(gui.until([&] { return is_idle(gui) && !gui.session().runs().empty(); }));
+  gui.session().view_run(gui.session().runs().back()->number);
+  ASSERT_TRUE(gui.session().timeline());
+  const int last = gui.session().timeline()->n_steps - 1;
+  const std::vector<PolishStation> stations = gui.session().figures().polish_stations;
+  gui.session().seek(last - 1);
+  const double before = gui.session().figures().at_polish;
+  EXPECT_TRUE(std::ranges::find(stations, before, &PolishStation::fraction) != stations.end());
+  EXPECT_LT(before, stations.back().fraction);
+  gui.session().seek(0);
+  EXPECT_LT(gui.session().figures().at_polish, 0) << "the search, before there was a net";
+}
+
+/// How far the corners of the net as it is drawn went between two frames, at most.
+class Motion {
+ public:
+  double next(Gui& gui) {
+    const Net* net = gui.app.workspace().scene().net();
+    double way = 0;
+    std::vector<glm::dvec2> corners;
+    for (const HalfedgeId h : net->mesh().halfedges()) corners.push_back(net->corner(h));
+    for (std::size_t i = 0; i < last_.size(); ++i) way = std::max(way, glm::distance(corners[i], last_[i]));
+    last_ = std::move(corners);
+    return way;
+  }
+
+ private:
+  std::vector<glm::dvec2> last_;
+};
+
+TEST(PolishView, TheNetGlidesFromOneProvedNetToTheNext) {
+  Gui gui;
+  gui.ui().settings.show_pages = false;
+  gui.open_sample("Bunny");
+  gui.enter("polish/seconds", "1");
+  gui.key(' ');
+  ASSERT_TRUE(gui.until([&] { return is_idle(gui) && !gui.session().runs().empty(); }));
+  gui.session().view_run(gui.session().runs().back()->number);
+  const int last = gui.session().timeline()->n_steps - 1;
+  const Scene& scene = gui.app.workspace().scene();
+  const auto show = [&](int position) {
+    const auto before = gui.session().shown();
+    gui.session().seek(position);
+    return gui.until([&] { return gui.session().shown() != before; });
+  };
+  ASSERT_TRUE(show(last - 1));
+  gui.frames(60);
+  Motion motion;
+  motion.next(gui);
+  const Net before = *scene.net();
+  ASSERT_TRUE(show(last));
+  double most = 0;
+  int n_frames = 0;
+  gui.frames();
+  ASSERT_TRUE(scene.is_gliding());
+  for (; scene.is_gliding() && n_frames < 100; ++n_frames) {
+    most = std::max(most, motion.next(gui));
+    gui.frames();
+  }
+  most = std::max(most, motion.next(gui));
+  EXPECT_GT(n_frames, 5);
+  double way = 0;
+  for (const HalfedgeId h : before.mesh().halfedges()) {
+    const glm::dvec2 end = gui.session().shown()->net.corner(h);
+    ASSERT_NEAR(glm::distance(scene.net()->corner(h), end), 0, 1e-12) << "and ends there";
+    way = std::max(way, glm::distance(end, before.corner(h)));
+  }
+  EXPECT_GT(most, 0);
+  EXPECT_LT(most, 0.6 * way) << "no jump";
+}
+
+TEST(PolishView, NothingGlidesWhereTheDesktopAsksForLessMotion) {
+  Gui gui;
+  gui.ui().is_motion_reduced = true;
+  gui.ui().settings.show_pages = false;
+  gui.open_sample("Bunny");
+  gui.enter("polish/seconds", "1");
+  gui.key(' ');
+  bool has_glided = false;
+  ASSERT_TRUE(gui.until([&] {
+    has_glided |= gui.app.workspace().scene().is_gliding();
+    return is_idle(gui) && !gui.session().runs().empty();
+  }));
+  EXPECT_FALSE(has_glided);
 }
 
 TEST(PolishPanel, StopKeepsTheBestNet) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/solve/solve.h"
+#include "core/unfold/net_size.h"
 #include "tests/pins.h"
 #include "tests/support.h"
 
@@ -289,6 +290,30 @@ TEST(Polish, ShowsProvedNetsThatNeverGetWorse) {
   EXPECT_TRUE(seen.back()->is_final);
   EXPECT_EQ(seen.back()->net.tree, result.net.tree);
   EXPECT_LT(seen.back()->polish->costs.back(), 0.9 * seen.back()->polish->costs.front());
+}
+
+TEST(Polish, TellsAWatcherOfEveryNetHowMuchIsCutAndHowMuchPaperItTakes) {
+  const auto dual = make_dual(shapes::icosphere(3));
+  Mailbox<Snapshot> box;
+  Progress progress;
+  const SolveResult result = solve(dual, polished(), progress, {&box, {}, nullptr});
+  const auto last = box.take();
+  ASSERT_TRUE(last && last->is_final && last->polish);
+  const std::vector<PolishStation>& stations = last->polish->stations;
+  ASSERT_GT(stations.size(), 3U);
+  const Net first = layout(dual, result.polished->first);
+  EXPECT_EQ(stations.front().fraction, 0);
+  EXPECT_DOUBLE_EQ(stations.front().cut_length, cut_length(first));
+  EXPECT_DOUBLE_EQ(stations.front().paper, paper_area(piece_hulls(first)));
+  EXPECT_DOUBLE_EQ(stations.back().cut_length, cut_length(result.net));
+  EXPECT_DOUBLE_EQ(stations.back().paper, paper_area(piece_hulls(result.net)));
+  EXPECT_LT(stations.back().cut_length, stations.front().cut_length);
+  EXPECT_LT(stations.back().paper, stations.front().paper);
+  EXPECT_TRUE(std::ranges::is_sorted(stations, {}, &PolishStation::fraction));
+  EXPECT_GT(stations.back().fraction, 0);
+  EXPECT_LE(stations.back().fraction, 1);
+  // The log's nets are some of these.
+  EXPECT_EQ(result.log.back().polish_fraction, stations.back().fraction);
 }
 
 TEST(Polish, EndsWithTheBestSoFarWhenStopped) {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "core/base/best_angle.h"
 #include "core/base/error.h"
-#include "core/sheet/best_angle.h"
 #include "core/sheet/pages.h"
 #include "tests/sheet_support.h"
 

@@ -122,6 +122,37 @@ struct Ball : Gui {
   }
 };
 
+TEST(Swing, AGlideGoesFromAnyNetToAnyOtherWithPartsOfBothInOnePiece) {
+  const Net before = net_of(shapes::icosphere(2));
+  Random random(8);
+  const Net after = layout(before.dual, steepest_edge_tree(*before.dual, random));
+  ASSERT_FALSE(before.tree == after.tree);
+  Swing glide(before, after, 10);
+  const Mesh& mesh = before.mesh();
+  for (const HalfedgeId h : mesh.halfedges())
+    ASSERT_NEAR(glm::distance(glide.net().corner(h), before.corner(h)), 0, 1e-9);
+  EXPECT_TRUE(glide.advance(10 + Swing::kSeconds / 2));
+  int n_kept = 0;
+  double way = 0;
+  for (const EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    way = std::max(way, glm::distance(glide.net().corner(h), before.corner(h)));
+    if (!before.tree.is_fold(mesh, e) || !after.tree.is_fold(mesh, e)) continue;
+    ++n_kept;
+    ASSERT_NEAR(glm::distance(glide.net().corner(h), glide.net().corner(mesh.next(mesh.twin(h)))), 0, 1e-9);
+  }
+  EXPECT_GT(n_kept, 50);
+  EXPECT_GT(way, mesh.mean_edge());
+  // The next goal comes while it is on its way: it goes on from where it is drawn.
+  const Net drawn = glide.net();
+  Swing next(drawn, before, 20);
+  for (const HalfedgeId h : mesh.halfedges())
+    ASSERT_NEAR(glm::distance(next.net().corner(h), drawn.corner(h)), 0, 1e-9);
+  EXPECT_FALSE(next.advance(20 + Swing::kSeconds));
+  for (const HalfedgeId h : mesh.halfedges())
+    ASSERT_NEAR(glm::distance(next.net().corner(h), before.corner(h)), 0, 1e-9);
+}
+
 TEST(Swing, AJoinedPartSwingsAndThenTheNetIsDrawnAsItIs) {
   Ball gui;
   const Net before = *gui.scene().net();

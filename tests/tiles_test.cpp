@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/sheet/best_angle.h"
+#include "core/base/best_angle.h"
 #include "core/sheet/sheet.h"
 #include "core/solve/solve.h"
 #include "tests/sheet_support.h"

@@ -74,11 +74,21 @@ void NetView::follow_net(UiContext& context, const Scene& scene) {
   const bool is_moving = line && line->position != line->home;
   const bool is_resting = context.session.state() == RunState::Idle && !is_moving;
   // Under a hand that arranges pieces the desk holds still.
-  const bool is_framed = shows_desk_ || !needs_framing(camera_, scene.net_box());
-  const bool follows = !is_arranging(context, scene) && (!is_framed || (is_new && is_resting));
+  const bool is_framed = shows_desk_ || !needs_framing(flight_ ? flight_->to : camera_, scene.net_box());
+  const bool follows =
+      !is_arranging(context, scene) && (!is_framed || (is_new && is_resting && !scene.is_gliding()));
   const bool is_due = is_asked || is_laid_anew || follows;
-  if (is_due && !is_moved_by_user_)
-    camera_.frame(shows_desk_ ? scene.desk_box() : scene.net_box(), ui.look.px(24));
+  if (is_due && !is_moved_by_user_) {
+    PanZoomCamera framed = camera_;
+    framed.frame(shows_desk_ ? scene.desk_box() : scene.net_box(), ui.look.px(24));
+    // With a net that glides the view does, too.
+    const bool is_jump = is_asked || is_laid_anew || !scene.is_gliding();
+    flight_.reset();
+    if (is_jump)
+      camera_ = framed;
+    else
+      flight_.emplace(Flight{camera_, framed, ui.now});
+  }
   if (!ui.flight_now.empty()) start_flight(ui.flight_now, *net, ui.now);
   if (!ui.centre_now.is_valid()) return;
   camera_.centre_on(net->box(ui.centre_now).centre());

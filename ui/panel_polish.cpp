@@ -73,10 +73,4 @@ void panel_polish(UiContext& context) {
   if (is_changed) context.session.set_polish(polish_of(ui.settings));
 }
 
-std::string polish_summary(const RunFigures& figures) {
-  if (figures.polish_costs.empty() || figures.polish_costs.front() <= 0) return {};
-  const double gone = 1 - figures.polish_costs.back() / figures.polish_costs.front();
-  return std::to_string(std::lround(100 * gone)) + " % better";
-}
-
 }  // namespace netwright

@@ -81,6 +81,15 @@ std::string chart_summary(const RunFigures& figures) {
          counted(figures.moves, "move", "moves");
 }
 
+void chart_header(const UiState& ui, const char* title, const std::string& summary) {
+  ImGui::TextUnformatted(title);
+  ImGui::PushFont(ui.look.fonts.small);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ui.look.px(16) -
+                  ImGui::CalcTextSize(summary.c_str()).x);
+  text_muted(ui, summary);
+  ImGui::PopFont();
+}
+
 }  // namespace
 
 void panel_solve(UiContext& context) {
@@ -92,23 +101,19 @@ void panel_solve(UiContext& context) {
   panel_pins(context);
   const RunFigures figures = context.session.figures();
   if (figures.history.empty()) return;
+  const RunState state = context.session.state();
+  const bool is_running =
+      state == RunState::Running || state == RunState::Replaying || state == RunState::Paused;
   ImGui::Dummy(ImVec2(0, ui.look.px(4)));
-  if (const std::string better = polish_summary(figures); !better.empty())
-    text_muted(ui, "Polished: " + better);
   if (figures.moves == 0 && figures.overlaps == 0) {
     text_muted(ui, "The first net had no overlaps.");
-    return;
+  } else {
+    chart_header(ui, "Overlaps", chart_summary(figures));
+    overlap_chart(ui, figures, is_running);
   }
-  ImGui::TextUnformatted("Overlaps");
-  ImGui::PushFont(ui.look.fonts.small);
-  const std::string summary = chart_summary(figures);
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ui.look.px(16) -
-                  ImGui::CalcTextSize(summary.c_str()).x);
-  text_muted(ui, summary);
-  ImGui::PopFont();
-  const RunState state = context.session.state();
-  overlap_chart(ui, figures,
-                state == RunState::Running || state == RunState::Replaying || state == RunState::Paused);
+  if (figures.polish_stations.empty()) return;
+  chart_header(ui, "Polish", "% of the first net");
+  polish_chart(ui, figures, is_running);
 }
 
 }  // namespace netwright

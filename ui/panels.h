@@ -20,8 +20,6 @@ void panel_faces(UiContext& context);
 void panel_solve(UiContext& context);
 /// Its rows about polish.
 void panel_polish(UiContext& context);
-/// "31 % better": by how much less there is to wish for than in the first net; empty before that.
-std::string polish_summary(const RunFigures& figures);
 /// Part of the search's section; nothing where nothing is pinned.
 void panel_pins(UiContext& context);
 /// Why a search found no single piece, and what can be done; nothing while there is nothing to tell.
@@ -39,5 +37,11 @@ void panel_history(UiContext& context);
 /// Overlaps over moves: a step line with axes, and a mark where the figures have one. Their history must not
 /// be empty.
 void overlap_chart(const UiState& ui, const RunFigures& figures, bool is_running);
+
+/// Cuts and paper in percent of the first net's, over the work done, and a mark where the figures have one.
+/// There must be stations of polish.
+void polish_chart(const UiState& ui, const RunFigures& figures, bool is_running);
+/// What the chart says of the last net: "Cuts 92 %, paper 61 % of the first net"; empty without stations.
+std::string polish_shares(const RunFigures& figures);
 
 }  // namespace netwright

@@ -27,7 +27,7 @@ Work search_work(const UiContext& c) {
   Work work{c.session.state() == RunState::Paused ? "Paused" : "Unfolding", "", "", 0, true};
   if (!figures.polish_costs.empty()) {
     if (c.session.state() != RunState::Paused) work.what = "Polishing";
-    work.detail = polish_summary(figures);
+    work.detail = polish_shares(figures);
     work.fraction = figures.polish_fraction;
     work.left = "Stop keeps the best net so far";
     return work;

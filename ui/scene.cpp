@@ -113,6 +113,7 @@ void Scene::take_net(const UiContext& context, Renderers& renderers) {
   follow_swing(context, shown);
   if (shown == shown_ && layout == layout_ && arranged == arranged_version_ && !was_swinging) return;
   shown_ = shown;
+  viewed_run_ = context.session.viewed_run();
   layout_ = layout;
   arranged_version_ = arranged;
   ++version_;
@@ -127,9 +128,24 @@ void Scene::take_net(const UiContext& context, Renderers& renderers) {
     renderers.net.set_sheets(paged_ == nullptr ? std::span<const SheetOutline>() : paged_->sheets);
 }
 
+/// One net without overlaps after another, of the same search or replay: that is what polish shows.
+bool Scene::is_next_of_polish(const UiContext& context, const ShownNet* shown) const {
+  const Session& session = context.session;
+  if (context.ui.is_motion_reduced || shown == nullptr || shown_ == nullptr || shown == shown_.get() ||
+      paged_ != nullptr)
+    return false;
+  const RunState state = session.state();
+  const bool is_moving = state == RunState::Running || state == RunState::Paused ||
+                         state == RunState::Replaying || session.timeline().has_value();
+  return is_moving && session.viewed_run() == viewed_run_ && shown->net.dual == shown_->net.dual &&
+         shown->overlaps.empty() && shown_->overlaps.empty() && !(shown->net.tree == shown_->net.tree);
+}
+
 void Scene::follow_swing(const UiContext& context, const std::shared_ptr<const ShownNet>& shown) {
   UiState& ui = context.ui;
   const std::optional<SwingWish> wish = std::exchange(ui.swing, std::nullopt);
+  std::optional<Net> drawn;
+  if (!wish && is_next_of_polish(context, shown.get())) drawn = *net();
   if (swinging_) {
     const bool is_other = shown == nullptr || shown->net.dual != shown_->net.dual ||
                           !(shown->net.tree == swinging_->swing.goal());
@@ -144,6 +160,7 @@ void Scene::follow_swing(const UiContext& context, const std::shared_ptr<const S
     const Swinging began{Swing(*net(), shown->net, *wish, ui.now), net_box(), is_on_pages(), ui.now};
     swinging_ = began;
   }
+  if (drawn) swinging_ = Swinging{Swing(*drawn, shown->net, ui.now), shown->net.box(), false, ui.now, true};
   if (swinging_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
 

@@ -45,7 +45,9 @@ class Scene {
     return box;
   }
   /// A part of the net is on its way to where it was joined; until it is there the desk stays as it was.
-  [[nodiscard]] bool is_swinging() const { return swinging_.has_value(); }
+  [[nodiscard]] bool is_swinging() const { return swinging_.has_value() && !swinging_->is_glide; }
+  /// The net is on its way from one that polish had found to a better one.
+  [[nodiscard]] bool is_gliding() const { return swinging_.has_value() && swinging_->is_glide; }
   /// Everything the net's view should show: net and pages.
   [[nodiscard]] const Box2& net_box() const { return swinging_ ? swinging_->box : net_box_; }
   /// The pages are seen as they will be printed.
@@ -75,6 +77,7 @@ class Scene {
   void mark_faces(const UiContext& context);
   void mark_pieces(const UiContext& context);
   void follow_swing(const UiContext& context, const std::shared_ptr<const ShownNet>& shown);
+  [[nodiscard]] bool is_next_of_polish(const UiContext& context, const ShownNet* shown) const;
   [[nodiscard]] bool waits_for_pages(const UiContext& context);
   void move_held_pieces(const Arranging& arranging);
   void take_pose(const UiContext& context, Renderers& renderers);
@@ -84,12 +87,13 @@ class Scene {
   void give_tabs(const UiContext& context, Renderers& renderers);
   void place();
 
-  /// The desk as it was when the swing began.
+  /// The desk as it was when the swing began; under a glide, as it will be.
   struct Swinging {
     Swing swing;
     Box2 box;
     bool is_on_pages;
     double since;
+    bool is_glide = false;
   };
 
   std::shared_ptr<const PolygonSoup> source_;
@@ -107,6 +111,7 @@ class Scene {
   Box2 spread_box_;
   std::optional<double> waits_since_;  ///< for the pages of a net that is not drawn yet
   std::optional<Swinging> swinging_;
+  int viewed_run_ = 0;  ///< whose net is shown; 0 for the project's
   std::uint64_t version_ = 1;
   std::uint64_t arranged_version_ = 0;
   std::uint64_t model_version_ = 0;

@@ -1,5 +1,6 @@
-// The short animation of a join by hand: the part that moved swings over to its new place around the edge
-// that was joined, while all else lies still. Only a picture; the project has changed already.
+// Short animations of a net that has changed: the part that a join by hand moves swings over to its new place
+// around the edge that was joined, while all else lies still; and a net glides into the better one that
+// polish has found. Only pictures; what they show has changed already.
 #pragma once
 
 #include <vector>
@@ -22,6 +23,9 @@ class Swing {
   /// `before`: the net as it was drawn; `after`: the same model's net with the edge joined, laid out
   /// anywhere.
   Swing(Net before, const Net& after, const SwingWish& wish, double now);
+  /// From any net of a model, as it was drawn, to another one, as it is laid out. What holds together in both
+  /// holds together on its way, if it does to begin with.
+  Swing(const Net& before, const Net& after, double now);
 
   /// The net at this moment, drawn where `before` was.
   [[nodiscard]] const Net& net() const { return net_; }
@@ -32,13 +36,16 @@ class Swing {
  private:
   struct Way {
     double angle_rad = 0;
+    glm::dvec2 pivot{0};
     glm::dvec2 shift{0};  ///< of the pivot
   };
+  static Way way_of(const Rigid2& whole, glm::dvec2 pivot);
+
   Net net_;
   IdVector<FaceId, Rigid2> from_;
   IdVector<FaceId, Way> ways_;
-  glm::dvec2 pivot_{0};
   double since_;
+  bool starts_fast_ = false;
 };
 
 }  // namespace netwright

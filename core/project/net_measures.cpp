@@ -1,15 +1,15 @@
-// Measures are taken from convex hulls, whose few corners stand for thousands of faces; the picture is filled
-// row by row with several samples a pixel.
+// The scale at which a net fits, and its picture, which is filled row by row with several samples a pixel.
 #include "core/project/net_measures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/base/best_angle.h"
 #include "core/base/error.h"
 #include "core/base/polygon2.h"
-#include "core/sheet/best_angle.h"
 #include "core/sheet/page_frame.h"
+#include "core/unfold/net_size.h"
 
 namespace netwright {
 
@@ -128,23 +128,12 @@ NetMeasures measure(const Net& net) {
   NetMeasures measures;
   measures.n_pieces = net.n_pieces;
   measures.model_height = mesh.height();
-  std::vector<std::vector<glm::dvec2>> corners(static_cast<std::size_t>(net.n_pieces));
+  measures.hulls = piece_hulls(net);
+  measures.cut_length = cut_length(net);
   double paper = 0;
-  for (const FaceId f : mesh.faces()) {
-    const std::vector<glm::dvec2> polygon = corners_of(net, f);
-    paper += std::abs(signed_area(polygon));
-    auto& all = corners[static_cast<std::size_t>(net.piece[f])];
-    all.insert(all.end(), polygon.begin(), polygon.end());
-  }
-  double rectangles = 0;
-  for (auto& points : corners) {
-    measures.hulls.push_back(convex_hull(std::move(points)));
-    const Hull& hull = measures.hulls.back();
-    rectangles += area_of(turned_box(hull, best_angle(hull, area_of)).size());
-  }
+  for (const FaceId f : mesh.faces()) paper += std::abs(signed_area(corners_of(net, f)));
+  const double rectangles = paper_area(measures.hulls);
   measures.fill = rectangles > 0 ? std::min(1.0, paper / rectangles) : 0;
-  for (const EdgeId e : mesh.edges())
-    if (!mesh.is_border(e) && !net.tree.is_fold(mesh, e)) measures.cut_length += mesh.length(e);
   return measures;
 }
 

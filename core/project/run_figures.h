@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/solve/snapshot.h"
+
 namespace netwright {
 
 /// The figures in the status bar, true at the moment of the call.
@@ -21,6 +23,8 @@ struct RunFigures {
   std::int64_t history_stride = 1;
   double polish_fraction = 0;        ///< of the work that polish may do
   std::vector<double> polish_costs;  ///< what was left to wish for, see PolishView; empty before polish
+  std::vector<PolishStation> polish_stations;  ///< for the chart
+  double at_polish = -1;  ///< the moment of polish that is looked at, as a fraction; -1 = none
   std::int64_t at_move =
       -1;  ///< the moment of the history that is looked at, in moves from its start; -1 = none
 };

@@ -84,6 +84,15 @@ int RunLog::n_searched() const {
   return n_episodes() - static_cast<int>(std::count_if(log_->begin(), log_->end(), is_polish));
 }
 
+double RunLog::polish_fraction(int position) const {
+  const Episode& last = episode(episode_at(position));
+  return last.is_polish ? last.polish_fraction : -1;
+}
+
+int RunLog::n_searched_steps() const {
+  return n_searched() == n_episodes() ? n_steps_ : begin_of(n_searched());
+}
+
 int RunLog::best_position() const {
   if (log_->back().is_polish) return n_steps_ - 1;
   const auto first = std::lower_bound(fewest_.begin(), fewest_.end(), fewest_.back(), std::greater<>());

@@ -38,6 +38,10 @@ class RunLog {
   [[nodiscard]] int restarts(int position) const;
   /// The move that led there; none at an episode's start.
   [[nodiscard]] std::optional<MoveRecord> move(int position) const;
+  /// How far polish was, see PolishStation; -1 before it.
+  [[nodiscard]] double polish_fraction(int position) const;
+  /// Pictures before polish.
+  [[nodiscard]] int n_searched_steps() const;
   /// The first picture with the fewest overlaps of all; the last one, when that is a polished net.
   [[nodiscard]] int best_position() const;
 

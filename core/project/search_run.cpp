@@ -113,6 +113,7 @@ void SearchRun::take_figures(const Snapshot& snapshot) {
   if (snapshot.polish) {
     figures_.polish_fraction = snapshot.polish->fraction;
     figures_.polish_costs = snapshot.polish->costs;
+    figures_.polish_stations = snapshot.polish->stations;
   }
   take_rate(snapshot);
 }

@@ -67,6 +67,14 @@ std::string export_news(const WrittenDrawing& written) {
   return written.n_pages > 0 && says_pages ? news + ", " + pages_text(written) : news;
 }
 
+/// Leaves of the chart of polish what had come by this fraction; nothing where that is negative.
+void show_polish_until(RunFigures& figures, double fraction) {
+  figures.polish_costs.clear();
+  figures.polish_fraction = std::max(fraction, 0.0);
+  std::erase_if(figures.polish_stations,
+                [&](const PolishStation& station) { return station.fraction > fraction; });
+}
+
 std::string why_no_sheets(const Derived& derived) {
   if (!derived.fault.empty()) return derived.fault;
   if (!derived.misplaced.is_nothing()) return misplaced_sentence(derived.misplaced);
@@ -348,8 +356,10 @@ RunFigures Session::Impl::replay_figures() const {
   figures.moves = log.moves(at);
   figures.restarts = log.restarts(at);
   figures.history.clear();
-  for (int i = 0; i <= at; ++i) figures.history.push_back(log.overlaps(i));
+  for (int i = 0; i <= std::min(at, log.n_searched_steps() - 1); ++i)
+    figures.history.push_back(log.overlaps(i));
   figures.history_stride = 1;
+  show_polish_until(figures, log.polish_fraction(at));
   return figures;
 }
 

@@ -63,7 +63,7 @@ void Session::Impl::view_run(int number) {
   leave_view();
   viewing.emplace();
   viewing->run = wanted;
-  if (wanted->log && wanted->log->n_moves() > 0) {
+  if (wanted->log && wanted->log->n_steps() > 1) {
     viewing->replay = std::make_shared<Replay>(wanted->log);
     viewing->home = wanted->summary.is_proved ? wanted->log->n_steps() - 1 : wanted->log->best_position();
   }
@@ -135,7 +135,8 @@ RunFigures Session::Impl::view_figures() const {
   figures.best_overlaps = log.fewest_overlaps(at);
   figures.moves = log.moves(at);
   figures.restarts = log.restarts(at);
-  figures.at_move = log.moves(at) - log.moves(0);
+  figures.at_polish = log.polish_fraction(at);
+  if (figures.at_polish < 0) figures.at_move = log.moves(at) - log.moves(0);
   return figures;
 }
 

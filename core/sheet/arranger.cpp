@@ -7,7 +7,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "core/sheet/best_angle.h"
+#include "core/base/best_angle.h"
 #include "core/sheet/pack.h"
 #include "core/sheet/pack_outlines.h"
 #include "core/sheet/print_style.h"

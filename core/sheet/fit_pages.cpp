@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/best_angle.h"
 #include "core/base/error.h"
 #include "core/sheet/arranger.h"
-#include "core/sheet/best_angle.h"
 
 namespace netwright {
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/sheet/best_angle.h"
+#include "core/base/best_angle.h"
 
 namespace netwright {
 

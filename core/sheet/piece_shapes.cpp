@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "core/base/best_angle.h"
 #include "core/base/geometry.h"
-#include "core/sheet/best_angle.h"
 #include "core/sheet/outline.h"
 #include "core/unfold/fold.h"
 

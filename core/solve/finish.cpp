@@ -7,6 +7,7 @@
 #include "core/base/cpu_time.h"
 #include "core/base/predicates.h"
 #include "core/solve/tab_room.h"
+#include "core/unfold/net_size.h"
 
 namespace netwright {
 
@@ -71,10 +72,18 @@ void Finish::log(double cost) {
   std::vector<Episode>& log = result_->log;
   if (log.back().is_polish && cost > kLoggedGain * logged_cost_) {
     log.back().start = result_->net.tree;
+    log.back().polish_fraction = view_.fraction;
     return;
   }
-  log.push_back({result_->net.tree, 0, {}, true});
+  log.push_back({result_->net.tree, 0, {}, true, view_.fraction});
   logged_cost_ = cost;
+}
+
+// What the chart shows of the present net: worth its while only where somebody looks.
+void Finish::add_station() {
+  if (!showing_->is_watched()) return;
+  const Net& net = result_->net;
+  view_.stations.push_back({view_.fraction, cut_length(net), paper_area(piece_hulls(net))});
 }
 
 // Told of the net that is the result: one that was refused, and what tabs cost afterwards, must not be left
@@ -100,6 +109,7 @@ void Finish::polish() {
   PolishReport& report = result_->polished.emplace();
   report.first = result_->net.tree;
   report.scale = options_->polish->scale(result_->net);
+  add_station();
   for (std::size_t c = 0; c < models_->size() && !progress_->is_cancelled(); ++c) polish_component(c);
 }
 
@@ -116,8 +126,11 @@ void Finish::polish_component(std::size_t c) {
   bool goes_on = true;
   while (goes_on && !progress_->is_cancelled()) {
     goes_on = polisher.advance();
-    if (take(c, polisher.best_folds())) log(cost = polisher.best().sum);
     view_.fraction = (static_cast<double>(c) + polisher.fraction()) / n;
+    if (take(c, polisher.best_folds())) {
+      log(cost = polisher.best().sum);
+      add_station();
+    }
     view_.costs.push_back(cost);
     if (!showing_->show_polished(result_->net, view_)) progress_->cancel();
   }
@@ -148,7 +161,12 @@ void Finish::find_room(std::size_t c, double scale) {
   result_->tabless_before += before;
   const bool is_taken = take(c, state.folds());
   result_->tabless_after += is_taken ? n_without() : before;
-  if (is_taken) result_->log.push_back({result_->net.tree, 0, {}, true});
+  if (!is_taken) return;
+  result_->log.push_back({result_->net.tree, 0, {}, true, 1});
+  if (!polish) return;
+  view_.fraction = 1;
+  add_station();
+  showing_->tell_polish(view_);
 }
 
 }  // namespace netwright

@@ -33,6 +33,7 @@ class Finish {
   void find_room(std::size_t c, double scale);
   [[nodiscard]] bool take(std::size_t c, const std::vector<char>& folds);
   void log(double cost);
+  void add_station();
   [[nodiscard]] std::vector<char> folds_of(std::size_t c) const;
 
   std::shared_ptr<const DualGraph> dual_;

@@ -205,8 +205,8 @@ std::shared_ptr<Snapshot> Showing::at_end(const Net& net, std::vector<Overlap> o
 
 bool Showing::show_polished(const Net& net, const PolishView& view) {
   if (hooks_->snapshots == nullptr) return true;
-  if (hooks_->pace && hooks_->pace() == Pace::Stop) return false;
   polish_ = view;
+  if (hooks_->pace && hooks_->pace() == Pace::Stop) return false;
   hooks_->snapshots->post(at_end(net, {}));
   return true;
 }

@@ -43,9 +43,13 @@ class Showing {
   void before_round();
   /// Shows what the round brought, as fast or slow as the watcher wants. False when the watcher said stop.
   bool after_round();
+  /// Does anybody look at what is posted?
+  [[nodiscard]] bool is_watched() const { return hooks_->snapshots != nullptr; }
   /// Posts a net that polish has reached, when it is due; waits while the watcher pauses. False when the
   /// watcher said stop.
   bool show_polished(const Net& net, const PolishView& view);
+  /// The last snapshot tells this of polish.
+  void tell_polish(const PolishView& view) { polish_ = view; }
   /// Posts the finished net.
   void finish(const Net& net, std::vector<Overlap> overlaps);
 

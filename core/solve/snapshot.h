@@ -28,12 +28,21 @@ struct Episode {
   int overlaps_at_start = 0;
   std::vector<MoveRecord> moves;
   bool is_polish = false;
+  double polish_fraction = 0;  ///< see PolishStation; only of polish
+};
+
+/// A net that polish started from or came to, all components together.
+struct PolishStation {
+  double fraction = 0;    ///< of the work that was done by then
+  double cut_length = 0;  ///< see net_size.h; model units
+  double paper = 0;       ///< area of the smallest rectangles
 };
 
 /// How far polish is.
 struct PolishView {
   double fraction = 0;        ///< of the work it may do
   std::vector<double> costs;  ///< what was left to wish for (see aims.h), at the start and after each round
+  std::vector<PolishStation> stations;  ///< the first net and every better one; only for a watcher
 };
 
 struct Snapshot {

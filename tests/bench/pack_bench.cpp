@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/best_angle.h"
 #include "core/base/error.h"
 #include "core/mesh/read.h"
 #include "core/project/make_model.h"
-#include "core/sheet/best_angle.h"
 #include "core/sheet/pack.h"
 #include "core/sheet/pack_outlines.h"
 #include "core/sheet/page_frame.h"

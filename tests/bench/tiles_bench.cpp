@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/best_angle.h"
 #include "core/base/error.h"
 #include "core/mesh/read.h"
 #include "core/project/make_model.h"
-#include "core/sheet/best_angle.h"
 #include "core/sheet/pages.h"
 #include "core/sheet/tile_seams.h"
 #include "core/solve/solve.h"

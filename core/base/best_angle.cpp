@@ -1,5 +1,5 @@
 // Convex hulls (Andrew's monotone chain) and a search over the angles at which a hull may lie.
-#include "core/sheet/best_angle.h"
+#include "core/base/best_angle.h"
 
 #include <algorithm>
 #include <numbers>
