@@ -360,6 +360,15 @@ class Reader {
     app.add_option("--lines", print.lines, "Style of the lines (origami)")
         ->type_name("origami|kit|solid|cutter")
         ->check(word_that(why_not_lines));
+    app.add_option("--fold-ends", print.fold_ends_mm,
+                   "Mark folds at their ends only, for clean faces: how long the marks are in mm; 0 draws "
+                   "whole folds")
+        ->type_name("MM")
+        ->check(within(0.0, 100.0, "a number of millimetres from 0 to 100"));
+    app.add_option("--loose-strips", print.loose_strips,
+                   "A strip of paper, folded along its middle, for each cut without a glue tab (on)")
+        ->type_name("on|off")
+        ->check(word_that(why_not_strips));
     app.add_option("--side,--printed-side", print.printed_side,
                    "Which side of the model is printed (outside)")
         ->type_name("outside|inside|both")

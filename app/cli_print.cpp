@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 6> kTabWords = {"none", "child",       "o
 constexpr std::array<std::string_view, 6> kLabelWords = {"none",  "all",    "angles",
                                                          "faces", "pieces", "reverse"};
 constexpr std::array<std::string_view, 4> kLineWords = {"origami", "kit", "solid", "cutter"};
+constexpr std::array<std::string_view, 2> kSwitchWords = {"off", "on"};
 constexpr std::array<std::string_view, 3> kSideWords = {"outside", "inside", "both"};
 constexpr std::array<std::string_view, 3> kOrientationWords = {"auto", "portrait", "landscape"};
 
@@ -95,6 +96,11 @@ void apply_sheet(const PrintOptions& options, SheetSettings& sheet) {
   apply_labels(options, sheet.labels);
   if (const auto place = place_of(options.lines, kLineWords))
     sheet.lines = line_styles(static_cast<LinePreset>(*place));
+  if (options.fold_ends_mm) {
+    sheet.lines.only_ends = *options.fold_ends_mm > 0;
+    if (sheet.lines.only_ends) sheet.lines.end_mark_mm = *options.fold_ends_mm;
+  }
+  if (const auto place = place_of(options.loose_strips, kSwitchWords)) sheet.loose_strips = *place == 1;
   if (const auto place = place_of(options.printed_side, kSideWords))
     sheet.printed_side = static_cast<PrintedSide>(*place);
   if (options.has_no_pictures) sheet.pictures.is_on = false;
@@ -118,6 +124,7 @@ std::string why_not_tabs(const std::string& word) {
 
 std::string why_not_label(const std::string& word) { return why_none_of(word, kLabelWords); }
 std::string why_not_lines(const std::string& word) { return why_none_of(word, kLineWords); }
+std::string why_not_strips(const std::string& word) { return why_none_of(word, kSwitchWords); }
 std::string why_not_side(const std::string& word) { return why_none_of(word, kSideWords); }
 std::string why_not_orientation(const std::string& word) { return why_none_of(word, kOrientationWords); }
 

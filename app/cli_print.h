@@ -16,8 +16,10 @@ struct PrintOptions {
   std::optional<double> tab_angle_deg;
   std::vector<std::string> labels;  ///< all, angles, faces, pieces, reverse
   bool has_no_numbers = false;
-  std::string lines;         ///< origami, kit, solid, cutter; each of these may be empty
-  std::string printed_side;  ///< outside, inside, both
+  std::string lines;                   ///< origami, kit, solid, cutter; each of these may be empty
+  std::optional<double> fold_ends_mm;  ///< 0 = whole folds
+  std::string loose_strips;            ///< on, off
+  std::string printed_side;            ///< outside, inside, both
   bool has_no_pictures = false;
   std::optional<int> picture_dpi;
   bool is_grey = false;
@@ -34,6 +36,7 @@ struct PrintOptions {
 std::string why_not_tabs(const std::string& word);
 std::string why_not_label(const std::string& word);
 std::string why_not_lines(const std::string& word);
+std::string why_not_strips(const std::string& word);
 std::string why_not_side(const std::string& word);
 std::string why_not_orientation(const std::string& word);
 std::string why_not_edge(const std::string& word);

@@ -54,11 +54,39 @@ TEST_F(CommandLine, PrintsAsAskedFor) {
   EXPECT_NE(svg_with({"--side", "inside"}).find("mirrored"), std::string::npos);
   EXPECT_NE(svg_with({}), svg_with({"--no-numbers"}));
   EXPECT_NE(svg_with({}), svg_with({"--margin", "20"}));
-  for (const Strings& wrong : {Strings{"--tabs", "1"}, {"--lines", "blue"}, {"--side", "left"}}) {
+  const auto n_paths = [](const std::string& svg) {
+    int n = 0;
+    for (std::size_t i = svg.find("<path"); i != std::string::npos; i = svg.find("<path", i + 1)) ++n;
+    return n;
+  };
+  const std::string whole = svg_with({});
+  EXPECT_EQ(svg_with({"--fold-ends", "0"}), whole);
+  const std::string ends = svg_with({"--fold-ends", "4"});
+  EXPECT_GE(n_paths(ends), n_paths(whole) + 5) << "two marks at each of the five folds";
+  EXPECT_NE(svg_with({"--fold-ends", "6"}), ends);
+  for (const Strings& wrong : {Strings{"--tabs", "1"},
+                               {"--lines", "blue"},
+                               {"--side", "left"},
+                               {"--fold-ends", "-1"},
+                               {"--loose-strips", "some"}}) {
     Strings command{"unfold", cube};
     command.insert(command.end(), wrong.begin(), wrong.end());
     EXPECT_EQ(run(command).status, 1) << wrong[0];
   }
+}
+
+TEST_F(CommandLine, LeavesLooseStripsOutWhenAskedTo) {
+  // Sides much shorter than the least tab: every cut is left without one.
+  const std::string cube = write("cube.obj", shapes::cube());
+  const auto svg_with = [&](const Strings& more) {
+    Strings options{"unfold", cube, "--height", "3.5", "-o", at("net.svg")};
+    options.insert(options.end(), more.begin(), more.end());
+    EXPECT_EQ(run(options).status, 0);
+    return content(at("net.svg"));
+  };
+  const std::string with = svg_with({});
+  EXPECT_EQ(svg_with({"--loose-strips", "on"}), with);
+  EXPECT_LT(svg_with({"--loose-strips", "off"}).size(), with.size());
 }
 
 TEST_F(CommandLine, ReportsHowWellTheNetCanBeBuilt) {
