@@ -4,10 +4,10 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "assets/icons.h"
+#include "ui/bar_layout.h"
 #include "ui/lengths.h"
 #include "ui/widgets.h"
 
@@ -15,7 +15,6 @@ namespace netwright {
 namespace {
 
 constexpr float kFieldWidth = 88;
-constexpr float kGap = 8;
 constexpr double kLeastHeight_mm = 5;
 constexpr double kMostHeight_mm = 5000;
 
@@ -38,7 +37,7 @@ ButtonSpec keep_button(const UiContext& context) {
 float controls_width(const UiContext& context) {
   const UiState& ui = context.ui;
   return ui.look.px(kFieldWidth) + button_width(ui, set_button()) + button_width(ui, keep_button(context)) +
-         ui.look.px(2 * kGap);
+         ui.look.px(2 * kBarGap);
 }
 
 std::string question(const UiContext& context) {
@@ -49,45 +48,30 @@ std::string question(const UiContext& context) {
          " tall. How tall shall it be?";
 }
 
-/// The controls stand beside the question where there is room for both, else below it.
-bool is_one_line(const UiContext& context, float width) {
-  const UiState& ui = context.ui;
-  const float text = ImGui::CalcTextSize(question(context).c_str()).x;
-  return ui.look.px(kBarTextLeft + kGap + kBarPadding) + text + controls_width(context) <= width;
+BarContent content_of(const UiContext& context) {
+  return {icon::kRuler, question(context), controls_width(context)};
 }
 
 }  // namespace
 
 float size_bar_height(const UiContext& context, float width) {
   if (!context.session.asked_size() || !context.session.has_model()) return 0;
-  const Look& look = context.ui.look;
-  const float line = look.px(32 + 2 * 6);
-  if (is_one_line(context, width)) return line;
-  const float wrap = width - look.px(kBarTextLeft + kBarPadding);
-  const ImVec2 text = ImGui::CalcTextSize(question(context).c_str(), nullptr, false, wrap);
-  return std::ceil(text.y + look.px(kBarPadding) + line);
+  return bar_height(context.ui, content_of(context), width);
 }
 
 void draw_size_bar(UiContext& context) {
   UiState& ui = context.ui;
   const Look& look = ui.look;
-  const ImVec2 min = ImGui::GetCursorScreenPos();
-  const ImVec2 size = ImGui::GetContentRegionAvail();
-  const ImVec2 max(min.x + size.x, min.y + size.y);
-  bar_background(ui, icon::kRuler, question(context), size.x - look.px(kBarTextLeft + kBarPadding));
-  const bool is_beside = is_one_line(context, size.x);
-  const float x =
-      is_beside ? max.x - look.px(kBarPadding) - controls_width(context) : min.x + look.px(kBarTextLeft);
-  ImGui::SetCursorScreenPos(ImVec2(x, max.y - look.px(38)));
+  begin_bar(ui, content_of(context));
   const LengthUnit unit = ui.settings.unit;
   if (ui.asked_height_mm <= 0) ui.asked_height_mm = kUsualHeight;
   double height = ui.asked_height_mm / in_millimetres(unit);
   ImGui::SetNextItemWidth(look.px(kFieldWidth));
   if (number_field(ui, "size/height", height, field_format(unit)))
     ui.asked_height_mm = std::clamp(height * in_millimetres(unit), kLeastHeight_mm, kMostHeight_mm);
-  ImGui::SameLine(0, look.px(kGap));
+  ImGui::SameLine(0, look.px(kBarGap));
   const bool is_set = button(ui, set_button());
-  ImGui::SameLine(0, look.px(kGap));
+  ImGui::SameLine(0, look.px(kBarGap));
   if (button(ui, keep_button(context))) context.session.leave_size();
   if (is_set) context.session.set_size({PrintSize::Kind::Height, ui.asked_height_mm});
   if (!context.session.asked_size()) ui.asked_height_mm = 0;
