@@ -90,6 +90,28 @@ TEST(AssemblyPanel, NamesTheNumbersThatAreOnThePaperNow) {
   EXPECT_EQ(shown(), (IdVector<EdgeId, int>(before.size(), 0))) << "no numbers are printed";
 }
 
+TEST(AssemblyPanel, ListsTheNumbersThatHadNoRoom) {
+  Opened gui;
+  const auto print = [&](double height_mm) {
+    const auto before = gui.session().sheets();
+    gui.session().set_size({PrintSize::Kind::Height, height_mm});
+    EXPECT_TRUE(gui.until([&] { return gui.session().sheets() && gui.session().sheets() != before; }));
+    gui.frames(3);
+  };
+  print(250);
+  EXPECT_TRUE(gui.session().unnumbered()->empty());
+  EXPECT_FALSE(gui.widgets.find("assembly/unnumbered"));
+  print(12);
+  EXPECT_FALSE(gui.session().unnumbered()->empty());
+  EXPECT_TRUE(gui.widgets.find("assembly/unnumbered"));
+  SheetSettings sheet = gui.session().project().sheet;
+  sheet.labels.edge_numbers = false;
+  gui.session().set_sheet(sheet, "numbers");
+  ASSERT_TRUE(gui.until([&] { return gui.session().unnumbered() && gui.session().unnumbered()->empty(); }));
+  gui.frames(3);
+  EXPECT_FALSE(gui.widgets.find("assembly/unnumbered")) << "none are wanted";
+}
+
 TEST(PrintDialog, OpensFromItsKeyAndExportsWhereThereIsNoPrinter) {
   Opened gui;
   gui.key('I', 2);

@@ -10,6 +10,8 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/project/derived.h"
+#include "tests/project_support.h"
 
 namespace netwright {
 namespace {
@@ -24,6 +26,33 @@ TEST(ChosenSheets, ReadsNumbersAndSpans) {
   EXPECT_EQ(chosen_sheets("5,1 - 2,2", 6), (Sheets{0, 1, 4}));
   for (const char* wrong : {"0", "7", "3-1", "two", "1-", "-2", "1,,2", "1 2"})
     EXPECT_THROW(static_cast<void>(chosen_sheets(wrong, 6)), Error) << wrong;
+}
+
+TEST(PrintedSheets, AreThoseChosenAndTheInstructionsWhereTheyAreWanted) {
+  Project project = testing::solved(testing::project_of(shapes::icosphere(1)));
+  project.size = {PrintSize::Kind::Height, 150};
+  Progress progress;
+  const auto derived = derive(project, nullptr, 1, progress);
+  ASSERT_TRUE(derived->sheets);
+  const std::size_t n = derived->sheets->size();
+  ASSERT_GE(n, 2U);
+  EXPECT_EQ(derived->instructions, nullptr);
+  EXPECT_EQ(printed_sheets({}, project, *derived).size(), n);
+  const auto second = printed_sheets({"", "2", false}, project, *derived);
+  ASSERT_EQ(second.size(), 1U);
+  const auto n_fills = [](const Sheet& sheet) { return sheet.fills.size(); };
+  const std::size_t n_shaded = project.dual->mesh().n_faces();  // six pictures have more than that
+  EXPECT_LT(n_fills(second.front()), n_shaded);
+  project.exports.instructions = InstructionPage::Last;
+  const auto with = printed_sheets({"", "2", false}, project, *derived);
+  ASSERT_EQ(with.size(), 2U);
+  EXPECT_GT(n_fills(with.back()), n_shaded);
+  project.exports.instructions = InstructionPage::First;
+  EXPECT_GT(n_fills(printed_sheets({}, project, *derived).front()), n_shaded);
+  const auto again = derive(project, derived, 2, progress);
+  ASSERT_TRUE(again->instructions);
+  EXPECT_EQ(again->sheets, derived->sheets) << "nothing else is drawn anew";
+  EXPECT_EQ(derive(project, again, 3, progress)->instructions, again->instructions);
 }
 
 class PrintingSystem : public ::testing::Test {

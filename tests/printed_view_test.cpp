@@ -200,5 +200,36 @@ TEST(PlaceSheets, PutsAPageUnderTheNetThatLiesOnIt) {
   EXPECT_LT(box_of(backs.front(), pages->scale).max.y, page.min.y) << "what is mirrored stands apart";
 }
 
+TEST(PrintedView, ThePageWithInstructionsStandsBeforeOrBehindTheOthers) {
+  Gui gui;
+  gui.open_sample("Globe");
+  ASSERT_TRUE(gui.unfold());
+  gui.frames(5);
+  const Scene& scene = gui.app.workspace().scene();
+  const Box2 plain = scene.net_box();
+  const auto set = [&](InstructionPage where) {
+    ExportSettings exports = gui.session().project().exports;
+    exports.instructions = where;
+    gui.session().set_exports(exports, "instructions");
+    const bool is_wanted = where != InstructionPage::None;
+    EXPECT_TRUE(gui.until([&] {
+      return !gui.session().is_laying_out() && (gui.session().instructions() != nullptr) == is_wanted;
+    }));
+    gui.frames(3);
+    EXPECT_TRUE(scene.is_printed());
+  };
+  set(InstructionPage::Last);
+  const double width = gui.session().instructions()->width_mm / gui.session().pages()->scale;
+  EXPECT_GT(scene.net_box().max.x, plain.max.x + width);
+  EXPECT_DOUBLE_EQ(scene.net_box().min.x, plain.min.x);
+  set(InstructionPage::First);
+  EXPECT_LT(scene.net_box().min.x, plain.min.x - width);
+  EXPECT_DOUBLE_EQ(scene.net_box().max.x, plain.max.x);
+  EXPECT_NEAR(scene.net_box().max.y, plain.max.y, 1e-9) << "level with them";
+  set(InstructionPage::None);
+  EXPECT_DOUBLE_EQ(scene.net_box().min.x, plain.min.x);
+  EXPECT_DOUBLE_EQ(scene.net_box().max.x, plain.max.x);
+}
+
 }  // namespace
 }  // namespace netwright::testing

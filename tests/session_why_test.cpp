@@ -121,6 +121,8 @@ TEST_F(SessionWhyTest, TakesANetOfSeveralPiecesThatCanBePrinted) {
   session_.look_for_pieces();
   ASSERT_TRUE(frames_until([this] { return session_.pieces() != nullptr; }));
   ASSERT_FALSE(session_.pieces()->choices.empty());
+  ASSERT_TRUE(frames_until([this] { return !session_.pieces_cut_mm().empty(); }));
+  EXPECT_EQ(session_.pieces_cut_mm().size(), session_.pieces()->choices.size());
   const int n_pieces = session_.pieces()->choices.front().net.n_pieces;
   EXPECT_GE(n_pieces, 2);
   session_.take_pieces(0);

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "ui/actions.h"
 #include "ui/dialogs.h"
+#include "ui/export_rows.h"
 #include "ui/widgets.h"
 
 namespace netwright {
@@ -40,11 +41,12 @@ void Dialogs::draw_print(UiContext& context) {
   UiState& ui = context.ui;
   const std::vector<std::string>* printers = context.session.printers();
   const bool has_printers = printers != nullptr && !printers->empty();
-  if (!begin_window(ui, 460, has_printers ? 264 : 152)) return;
+  if (!begin_window(ui, 460, has_printers ? 304 : 152)) return;
   if (has_printers) {
     printer_row(context, *printers);
     row(ui, "Sheets");
     text_field(ui, "print-dialog/sheets", ui.printing.sheets, "all, or as in 1-3, 5");
+    instructions_row(context, true);
     checkbox(ui, "print-dialog/grey", "Shades of grey", ui.printing.is_grey, "For this time; saves colour");
   } else {
     ImGui::TextWrapped("%s", printers == nullptr

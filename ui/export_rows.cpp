@@ -11,18 +11,6 @@
 namespace netwright {
 namespace {
 
-void instructions_row(UiContext& c, bool is_wide) {
-  ExportSettings exports = c.session.project().exports;
-  int chosen = static_cast<int>(exports.instructions);
-  const float room = row(c.ui, "Instructions") - c.ui.look.px(16);
-  const float width = is_wide ? c.ui.look.px(220) : room;
-  if (segments(c.ui, "export/instructions", width, {"None", "First", "Last"}, chosen)) {
-    exports.instructions = static_cast<InstructionPage>(chosen);
-    c.session.set_exports(exports, "instructions");
-  }
-  tooltip(c.ui, "A page with pictures of the folding, time and difficulty, before or behind the others");
-}
-
 void flag(UiContext& c, const char* name, const char* label, const char* step, const char* tip,
           bool ExportSettings::*place) {
   ExportSettings exports = c.session.project().exports;
@@ -58,6 +46,19 @@ void dpi_row(UiContext& c, bool is_wide) {
 }
 
 }  // namespace
+
+void instructions_row(UiContext& context, bool is_wide) {
+  ExportSettings exports = context.session.project().exports;
+  int chosen = static_cast<int>(exports.instructions);
+  const float room = row(context.ui, "Instructions") - context.ui.look.px(16);
+  const float width = is_wide ? context.ui.look.px(220) : room;
+  if (segments(context.ui, "export/instructions", width, {"None", "First", "Last"}, chosen)) {
+    exports.instructions = static_cast<InstructionPage>(chosen);
+    context.session.set_exports(exports, "instructions");
+  }
+  tooltip(context.ui,
+          "A page with pictures of the folding, time and difficulty, before or behind the others");
+}
 
 void export_rows(UiContext& context, bool is_wide) {
   const std::string& format = context.ui.export_extension;

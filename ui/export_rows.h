@@ -9,4 +9,7 @@ namespace netwright {
 /// side, as the dialog has room for.
 void export_rows(UiContext& context, bool is_wide);
 
+/// Whether a page with instructions goes with the sheets: for whatever has pages.
+void instructions_row(UiContext& context, bool is_wide);
+
 }  // namespace netwright

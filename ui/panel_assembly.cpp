@@ -28,11 +28,34 @@ void seam_text(UiContext& c, EdgeId seam, const std::vector<EdgeId>& order) {
   text += number > 0    ? ": the sides with number " + grouped(number)
           : has_numbers ? ": two sides that meet at a point"
                         : ": the two sides that are lit";
+  const auto unnumbered = c.session.unnumbered();
+  const bool is_unnumbered = unnumbered != nullptr && std::ranges::binary_search(*unnumbered, seam);
+  if (number > 0 && is_unnumbered) text += ", which had no room";
   if (std::ranges::binary_search(c.session.project().glued, seam)) text += ", glued";
   ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - c.ui.look.px(16));
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   note_widget(c.ui, "assembly/step");
+}
+
+/// Numbers that are missing on the paper, to be written by hand.
+void missing_numbers(UiContext& c) {
+  const auto unnumbered = c.session.unnumbered();
+  if (unnumbered == nullptr) return;
+  std::vector<int> numbers;
+  for (const EdgeId e : *unnumbered)
+    if (const int number = assembly_number(c, e); number > 0) numbers.push_back(number);
+  if (numbers.empty()) return;
+  std::ranges::sort(numbers);
+  std::string text = "No room on the paper for ";
+  text += numbers.size() == 1 ? "number " : "the numbers ";
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == numbers.size() ? " and " : ", ") + grouped(numbers[i]);
+  text += numbers.size() == 1 ? ": write it by hand." : ": write them by hand.";
+  ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - c.ui.look.px(16));
+  text_muted(c.ui, text);
+  ImGui::PopTextWrapPos();
+  note_widget(c.ui, "assembly/unnumbered");
 }
 
 }  // namespace
@@ -57,6 +80,7 @@ void panel_assembly(UiContext& context) {
   ImGui::SameLine();
   step_button(context, "assembly/on", ActionId::SeamOn, ButtonKind::Outlined, each);
   step_button(context, "assembly/tick", ActionId::TickSeam, ButtonKind::Accent, width);
+  missing_numbers(context);
 }
 
 }  // namespace netwright

@@ -105,6 +105,7 @@ void line_row(UiContext& c, const char* name, const char* label, PrintedLine Lin
   const std::string id = std::string("print/") + name;
   const PrintedLine& now = c.session.project().sheet.lines.*line;
   const float width = row(ui, label) - ui.look.px(16);
+  const float row_left = ImGui::GetCursorPosX();
   std::array<float, 3> colour{static_cast<float>(now.colour.x), static_cast<float>(now.colour.y),
                               static_cast<float>(now.colour.z)};
   if (ui.draft_colour_of == id) colour = ui.draft_colour;
@@ -123,16 +124,15 @@ void line_row(UiContext& c, const char* name, const char* label, PrintedLine Lin
     });
   }
   ImGui::SameLine();
-  const float rest = width - ImGui::GetItemRectSize().x - 2 * ui.look.px(8);
-  const float narrow = std::min(rest / 2, ui.look.px(46));
   double width_mm = now.width_mm;
-  ImGui::SetNextItemWidth(narrow);
+  ImGui::SetNextItemWidth(width - ImGui::GetItemRectSize().x - ui.look.px(8));
   if (number_field(ui, id + "-width", width_mm, "%.2f"))
     set(c, "line width",
         [&](SheetSettings& sheet) { (sheet.lines.*line).width_mm = std::clamp(width_mm, 0.02, 5.0); });
   tooltip(ui, "Width in mm");
-  ImGui::SameLine();
-  ImGui::SetNextItemWidth(rest - narrow);
+  // Four numbers and what parts them take a line of their own.
+  ImGui::SetCursorPosX(row_left);
+  ImGui::SetNextItemWidth(width);
   std::string dashes = dash_text(now.dash_mm);
   if (text_field(ui, id + "-dash", dashes, "solid")) {
     if (const auto parts = dash_of(dashes))

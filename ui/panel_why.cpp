@@ -187,24 +187,32 @@ void softening_rows(UiContext& c) {
     c.session.take_softening();
 }
 
+/// "2 pieces · 1 234 mm · 104 %", as much of it as there is room for; without millimetres while they are not
+/// known.
+ButtonSpec pieces_button(const UiContext& c, const PiecesResult& found, std::size_t i) {
+  const PiecesChoice& choice = found.choices[i];
+  const double shortest = std::ranges::min_element(found.choices, {}, &PiecesChoice::cut_length)->cut_length;
+  const std::string share = " · " + std::to_string(percent(choice.cut_length / shortest)) + " %";
+  const std::vector<double> cut_mm = c.session.pieces_cut_mm();
+  std::string words = counted(choice.net.n_pieces, "piece", "pieces");
+  if (i < cut_mm.size()) words += " · " + length_text(cut_mm[i], c.ui.settings.unit);
+  const std::string name = "why/take-pieces/" + std::to_string(i);
+  const char* tip = "Takes this net; can be undone. The length is that of all cuts at the present size";
+  const ButtonSpec spec = take_button(name, words + share, tip);
+  const float room = ImGui::GetContentRegionAvail().x - c.ui.look.px(16);
+  const bool is_short = i >= cut_mm.size() || button_width(c.ui, spec) <= room;
+  return is_short ? spec : take_button(name, words, tip);
+}
+
 void pieces_rows(UiContext& c) {
   const auto found = c.session.pieces();
   if (found == nullptr) return;
   if (found->choices.empty()) return wrapped(c.ui, "No net of several pieces was found.");
-  const double shortest =
-      std::min_element(found->choices.begin(), found->choices.end(), [](const auto& a, const auto& b) {
-        return a.cut_length < b.cut_length;
-      })->cut_length;
   wrapped(c.ui, "Nets of several pieces, and how long their cuts are:");
   for (std::size_t i = 0; i < found->choices.size(); ++i) {
-    const PiecesChoice& choice = found->choices[i];
-    const std::string words = counted(choice.net.n_pieces, "piece", "pieces") + " · " +
-                              std::to_string(percent(choice.cut_length / shortest)) + " %";
-    if (button(c.ui,
-               take_button("why/take-pieces/" + std::to_string(i), words, "Takes this net; can be undone"))) {
-      c.session.take_pieces(i);
-      return;
-    }
+    if (!button(c.ui, pieces_button(c, *found, i))) continue;
+    c.session.take_pieces(i);
+    return;
   }
 }
 

@@ -86,6 +86,15 @@ std::vector<PlacedSheet> spread_tiles(const std::vector<Sheet>& sheets, const Pa
   return spread;
 }
 
+PlacedSheet place_beside(const Sheet& page, bool is_before, const std::vector<PlacedSheet>& sheets,
+                         const PageLayout& layout) {
+  Box2 all;
+  for (const PlacedSheet& sheet : sheets) all.add(box_of(sheet, layout.scale));
+  const double x =
+      is_before ? all.min.x * layout.scale - kGapMm - page.width_mm : all.max.x * layout.scale + kGapMm;
+  return {&page, glm::dvec2(x, -layout.frame.net.min.y), std::nullopt, true};
+}
+
 Box2 box_of(const PlacedSheet& placed, double scale) {
   if (placed.clip) return *placed.clip;
   const glm::dvec2 end = placed.corner_mm + glm::dvec2(placed.sheet->width_mm, placed.sheet->height_mm);

@@ -21,6 +21,10 @@ std::vector<PlacedSheet> place_sheets(const std::vector<Sheet>& sheets, const Pa
 std::vector<PlacedSheet> spread_tiles(const std::vector<Sheet>& sheets, const PageLayout& layout,
                                       PrintedSide printed_side, const std::vector<PlacedSheet>& above);
 
+/// A page that goes with these sheets stands before or behind them.
+PlacedSheet place_beside(const Sheet& page, bool is_before, const std::vector<PlacedSheet>& sheets,
+                         const PageLayout& layout);
+
 /// Where a placed sheet lies in the net's view.
 Box2 box_of(const PlacedSheet& placed, double scale);
 

@@ -173,12 +173,19 @@ void Scene::take_sheets(const UiContext& context, Renderers& renderers) {
   const PrintedSide side = context.session.project().sheet.printed_side;
   if (sheets == sheets_ && sheets == nullptr) return give_tabs(context, renderers);
   tabs_of_ = 0;
-  if (sheets == sheets_) return;
+  const auto instructions = sheets == nullptr ? nullptr : context.session.instructions();
+  const bool are_first = context.session.project().exports.instructions == InstructionPage::First;
+  if (sheets == sheets_ && instructions == instructions_ && are_first == are_instructions_first_) return;
   sheets_ = sheets;
+  instructions_ = instructions;
+  are_instructions_first_ = are_first;
   ++version_;
   if (sheets_ == nullptr) return give_tabs(context, renderers);
   is_mirrored_ = side == PrintedSide::Inside;
+  place();  // without what stood beside the sheets before
   std::vector<PlacedSheet> placed = place_sheets(*sheets_, *layout_, side);
+  if (instructions_ != nullptr)
+    placed.push_back(place_beside(*instructions_, are_instructions_first_, placed, *layout_));
   for (const PlacedSheet& sheet : placed) net_box_.add(box_of(sheet, layout_->scale));
   const std::vector<PlacedSheet> spread = spread_tiles(*sheets_, *layout_, side, placed);
   spread_box_ = Box2();

@@ -101,7 +101,9 @@ class Scene {
   std::shared_ptr<const ShownNet> shown_;
   std::unique_ptr<const PagedNet> paged_;
   std::shared_ptr<const PageLayout> layout_;
-  std::shared_ptr<const std::vector<Sheet>> sheets_;  ///< shown in place of the net's own drawing
+  std::shared_ptr<const std::vector<Sheet>> sheets_;  ///< shown in place of the net's own drawing,
+  std::shared_ptr<const Sheet> instructions_;         ///< with this page, which may be null,
+  bool are_instructions_first_ = false;               ///< before or behind them
   bool is_mirrored_ = false;
   std::uint64_t sheets_version_ = 1;
   std::uint64_t tabs_of_ = 0;  ///< the version of the net whose tabs were drawn

@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/predicates.h"
+#include "core/sheet/instructions.h"
+#include "core/sheet/labels.h"
 #include "core/unfold/flat_net.h"
 #include "core/unfold/verify.h"
 
@@ -82,16 +84,29 @@ void derive_sheets(Derived& derived, const Derived* before) {
     derived.fault = before->fault;
     if (before->source.sheet == project.sheet) {
       derived.sheets = before->sheets;
-      return;
+      derived.unnumbered = before->unnumbered;
+      derived.instructions = before->instructions;
     }
   }
+  const bool wants_instructions = project.exports.instructions != InstructionPage::None;
+  if (!wants_instructions) derived.instructions = nullptr;
+  if (derived.sheets && (derived.instructions || !wants_instructions)) return;
   try {
     if (!derived.pages) derive_pages(derived);
-    if (derived.is_sound && derived.misplaced.is_nothing())
-      derived.sheets = std::make_shared<const std::vector<Sheet>>(
-          draw_sheets(derived.shown->net, *derived.pages, sheet_info(project, derived.is_sound),
-                      for_the_screen(project.sheet, *derived.pages)));
     derived.fault.clear();
+    if (!derived.is_sound || !derived.misplaced.is_nothing()) return;
+    const SheetInfo info = sheet_info(project, derived.is_sound);
+    const SheetSettings settings = for_the_screen(project.sheet, *derived.pages);
+    const Net& net = derived.shown->net;
+    if (!derived.sheets) {
+      derived.sheets =
+          std::make_shared<const std::vector<Sheet>>(draw_sheets(net, *derived.pages, info, settings));
+      derived.unnumbered =
+          std::make_shared<const std::vector<EdgeId>>(place_labels(net, *derived.pages, settings).left_out);
+    }
+    if (wants_instructions)
+      derived.instructions =
+          std::make_shared<const Sheet>(instruction_sheet(net, *derived.pages, info, settings));
   } catch (const Error& error) {
     derived.pages = nullptr;
     derived.fault = error.what();

@@ -25,6 +25,9 @@ struct Derived {
   Misplaced misplaced;  ///< on these pages, where pieces were put by hand
   /// Null unless the net is sound and nothing is misplaced.
   std::shared_ptr<const std::vector<Sheet>> sheets;
+  /// Cuts whose numbers find no room on the sheets; null without those.
+  std::shared_ptr<const std::vector<EdgeId>> unnumbered;
+  std::shared_ptr<const Sheet> instructions;   ///< null unless there are sheets and the exports want it
   std::shared_ptr<const Buildability> judged;  ///< null without pages
   std::string fault;  ///< why there are no sheets (margins that leave no room …), one sentence; else empty
 };

@@ -8,6 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/subprocess.h"
+#include "core/project/derived.h"
+#include "core/sheet/instructions.h"
 
 namespace netwright {
 
@@ -55,6 +57,21 @@ std::vector<std::size_t> chosen_sheets(const std::string& text, std::size_t coun
   const auto twice = std::ranges::unique(chosen);
   chosen.erase(twice.begin(), twice.end());
   return chosen;
+}
+
+std::vector<Sheet> printed_sheets(const PrintJob& job, const Project& project, const Derived& derived) {
+  SheetSettings settings = project.sheet;
+  settings.is_grey = settings.is_grey || job.is_grey;
+  const Net& net = derived.shown->net;
+  const SheetInfo info = sheet_info(project, derived.is_sound);
+  std::vector<Sheet> sheets = draw_sheets(net, *derived.pages, info, settings);
+  std::vector<Sheet> printed;
+  for (const std::size_t i : chosen_sheets(job.sheets, sheets.size()))
+    printed.push_back(std::move(sheets[i]));
+  const InstructionPage where = project.exports.instructions;
+  if (where != InstructionPage::None)
+    add_instructions(printed, instruction_sheet(net, *derived.pages, info, settings), where);
+  return printed;
 }
 
 std::span<const std::filesystem::path> printing_folders() {

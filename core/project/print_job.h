@@ -8,8 +8,12 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/sheet/sheet.h"
 
 namespace netwright {
+
+struct Derived;
+struct Project;
 
 struct PrintJob {
   std::string printer;  ///< empty: the system's usual one
@@ -20,6 +24,10 @@ struct PrintJob {
 /// The sheets named by a text like "1-3, 5", from 0, sorted, each once. Throws Error(Usage) where it names
 /// none, or one beyond `count`.
 std::vector<std::size_t> chosen_sheets(const std::string& text, std::size_t count);
+
+/// What a job prints of a project whose net and pages were derived: the sheets that it names, drawn as fine
+/// as printers are, and the page with instructions where the project's exports have one. Throws Error(Usage).
+std::vector<Sheet> printed_sheets(const PrintJob& job, const Project& project, const Derived& derived);
 
 /// Where a program of the printing system is; empty where it is in none of the folders.
 std::filesystem::path printing_program(const std::string& name,

@@ -321,6 +321,14 @@ std::shared_ptr<const std::vector<Sheet>> Session::sheets() const {
   return is_of_this_net ? impl_->derived->sheets : nullptr;
 }
 
+std::shared_ptr<const std::vector<EdgeId>> Session::unnumbered() const {
+  return sheets() ? impl_->derived->unnumbered : nullptr;
+}
+
+std::shared_ptr<const Sheet> Session::instructions() const {
+  return sheets() ? impl_->derived->instructions : nullptr;
+}
+
 bool Session::may_export() {
   const bool has_run = impl_->run != nullptr;
   if (has_run || impl_->is_unfinished || !project().tree) {

@@ -192,6 +192,9 @@ class Session {
   void look_for_pieces();
   /// What came of it; null before and when other pins were set since.
   [[nodiscard]] std::shared_ptr<const PiecesResult> pieces() const;
+  /// How long the cuts of each choice are as paper and size would have it printed, in mm; empty while that is
+  /// worked out, and where the paper has no room.
+  [[nodiscard]] std::vector<double> pieces_cut_mm() const;
   /// The net of one of the choices becomes the project's; one undo step.
   void take_pieces(std::size_t choice);
   /// How far something is that is tried after a search without a net; null when nothing is.
@@ -289,10 +292,15 @@ class Session {
 
   // Printing. Sheets exist only for a proved net on which nothing is misplaced; null otherwise.
   [[nodiscard]] std::shared_ptr<const std::vector<Sheet>> sheets() const;
+  /// Cuts whose numbers find no room on them, sorted; null without sheets.
+  [[nodiscard]] std::shared_ptr<const std::vector<EdgeId>> unnumbered() const;
+  /// The page with instructions that goes with them, where the exports have one; else null.
+  [[nodiscard]] std::shared_ptr<const Sheet> instructions() const;
   /// How the net of shown() lies on its pages, be it proved or edited by hand; null while there are none or
   /// another net is shown.
   [[nodiscard]] std::shared_ptr<const PageLayout> pages() const;
-  /// Sends sheets to a printer, as a chore; success or failure arrives as a message.
+  /// Sends sheets, and the instructions that go with them, to a printer, as a chore; success or failure
+  /// arrives as a message.
   void print(const PrintJob& job);
   /// Asks the system for its printers, as a chore.
   void look_for_printers();

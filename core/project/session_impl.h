@@ -114,6 +114,18 @@ struct Session::Impl {
     std::shared_ptr<const Softening> softening = {};
   };
 
+  /// What the choices of a PiecesResult measure when they are printed so.
+  struct PrintedPieces {
+    std::shared_ptr<const PiecesResult> pieces;
+    PaperSetup paper;
+    PrintSize size;
+    TabSettings tabs;
+    std::vector<double> cut_mm = {};
+    [[nodiscard]] bool is_of(const std::shared_ptr<const PiecesResult>& found, const Project& project) const {
+      return pieces == found && paper == project.paper && size == project.size && tabs == project.tabs;
+    }
+  };
+
   explicit Impl(Clock clock_function);
   ~Impl();
 
@@ -142,6 +154,7 @@ struct Session::Impl {
   [[nodiscard]] bool has_pins_of(const Failed& failure) const;
   bool take_releases();
   bool take_found_pieces();  // session_pieces.cpp
+  bool measure_pieces();
   bool take_found_softening();
   void stop_trial();
   void start_replay(const SearchRun::Outcome& outcome);
@@ -216,7 +229,9 @@ struct Session::Impl {
   std::shared_ptr<const ShownNet> settled;  ///< what stays when nothing runs
   bool is_unfinished = false;               ///< `settled` is the best of a run that wasn't proved
   std::optional<Failed> failed_run;         ///< that run
-  std::optional<RunFigures> last_figures;   ///< of the run that led to `settled`
+  std::shared_ptr<Chore<PrintedPieces>> printing_pieces;
+  std::shared_ptr<const PrintedPieces> printed_pieces;
+  std::optional<RunFigures> last_figures;  ///< of the run that led to `settled`
   std::shared_ptr<const Derived> derived;
   std::optional<Contradiction> contradiction;  ///< of these pins,
   Constraints checked_pins;                    ///< on this mesh

@@ -391,6 +391,7 @@ bool Session::Impl::poll() {
   has_changed |= take_split();
   has_changed |= take_releases();
   has_changed |= take_found_pieces();
+  has_changed |= measure_pieces();
   has_changed |= take_found_softening();
   has_changed |= take_printers();
   has_changed |= take_leftovers();

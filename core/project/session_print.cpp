@@ -6,16 +6,6 @@
 
 namespace netwright {
 
-namespace {
-
-std::vector<Sheet> picked(const std::vector<Sheet>& sheets, const std::string& which) {
-  std::vector<Sheet> chosen;
-  for (const std::size_t i : chosen_sheets(which, sheets.size())) chosen.push_back(sheets[i]);
-  return chosen;
-}
-
-}  // namespace
-
 void Session::print(const PrintJob& job) {
   if (!sheets()) return;
   auto chore = std::make_shared<Impl::Chore<Message>>(impl_->bell);
@@ -23,10 +13,7 @@ void Session::print(const PrintJob& job) {
     progress.set_phase("Printing");
     auto news = std::make_shared<Message>();
     try {
-      SheetSettings settings = source.sheet;
-      settings.is_grey = settings.is_grey || job.is_grey;
-      const std::vector<Sheet> chosen = picked(
-          draw_sheets(now->shown->net, *now->pages, sheet_info(source, now->is_sound), settings), job.sheets);
+      const std::vector<Sheet> chosen = printed_sheets(job, source, *now);
       const std::string& title = source.source->name;
       send_to_printer(printing_program("lp", printing_folders()), job, pdf_bytes(chosen, title), title,
                       progress);

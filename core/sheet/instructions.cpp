@@ -1,6 +1,7 @@
 // Lays the page of instructions out: title, figures in two columns, and six pictures with a line each.
 #include "core/sheet/instructions.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -150,6 +151,19 @@ Sheet instruction_sheet(const Net& net, const PageLayout& layout, const SheetInf
   Sheet sheet = Artist(net, layout, info, settings).draw();
   if (settings.is_grey) make_grey(sheet);
   return sheet;
+}
+
+void add_instructions(std::vector<Sheet>& sheets, Sheet page, InstructionPage where) {
+  if (where == InstructionPage::Last) {
+    sheets.push_back(std::move(page));
+    return;
+  }
+  Sheet empty;
+  empty.width_mm = page.width_mm;
+  empty.height_mm = page.height_mm;
+  empty.is_back = true;
+  if (std::ranges::any_of(sheets, &Sheet::is_back)) sheets.insert(sheets.begin(), std::move(empty));
+  sheets.insert(sheets.begin(), std::move(page));
 }
 
 }  // namespace netwright

@@ -2,6 +2,7 @@
 // to.
 #pragma once
 
+#include "core/sheet/export_settings.h"
 #include "core/sheet/sheet.h"
 
 namespace netwright {
@@ -40,6 +41,10 @@ const char* paper_weight(const BuildFigures& figures, double model_height_mm);
 /// One page of the layout's size, outside the count of sheets.
 Sheet instruction_sheet(const Net& net, const PageLayout& layout, const SheetInfo& info,
                         const SheetSettings& settings);
+
+/// Puts that page before or behind the others. In front of two-sided sheets its own back stays empty, so that
+/// fronts stay on fronts.
+void add_instructions(std::vector<Sheet>& sheets, Sheet page, InstructionPage where);
 
 /// The net folded so far (0 … 1) as a shaded picture of fills only, fitted into a box: faces from the
 /// farthest to the nearest, each with its edges. At 0 it is seen as printed, at 1 as it stands on the table.

@@ -78,20 +78,6 @@ std::vector<path> write_sheets(const path& file, const std::string& extension, s
   return {file};
 }
 
-/// In front of two-sided sheets its own back stays empty, so that fronts stay on fronts.
-void add_instructions(std::vector<Sheet>& sheets, Sheet page, InstructionPage where) {
-  if (where == InstructionPage::Last) {
-    sheets.push_back(std::move(page));
-    return;
-  }
-  Sheet empty;
-  empty.width_mm = page.width_mm;
-  empty.height_mm = page.height_mm;
-  empty.is_back = true;
-  if (std::ranges::any_of(sheets, &Sheet::is_back)) sheets.insert(sheets.begin(), std::move(empty));
-  sheets.insert(sheets.begin(), std::move(page));
-}
-
 }  // namespace
 
 path page_path(const path& file, std::size_t index, std::size_t count) {
