@@ -138,6 +138,25 @@ TEST(TabuSolver, RestartsWhenNothingImprovesAndNeverClaimsTheImpossible) {
   }
 }
 
+TEST(TabuSolver, HasMorePatienceWithEveryNewTree) {
+  const auto dual = make_dual(spiky_star());
+  const SearchModel model = search_models(*dual).front();
+  SearchSettings settings;
+  TabuSolver solver(*dual, model, settings, 0, 0);
+  std::int64_t begin = 0;
+  std::int64_t patience = static_cast<std::int64_t>(settings.restart_after) * model.n_faces;
+  for (int n = 0; n < 5; ++n) {
+    while (solver.restarts() == n) solver.step();
+    EXPECT_GT(solver.iterations() - begin, patience);
+    begin = solver.iterations();
+    patience *= 2;
+  }
+  settings.cooling_restarts = 0;
+  TabuSolver same(*dual, model, settings, 0, 0);
+  for (int k = 0; k < begin; ++k) same.step();
+  EXPECT_GT(same.restarts(), 8);
+}
+
 TEST(TabuSolver, NeverClaimsANetOfAModelWithHats) {
   for (const PolygonSoup& base : {shapes::tetrahedron(), shapes::octahedron(), shapes::icosahedron()}) {
     const auto dual = make_dual(testing::with_hats(base));

@@ -18,6 +18,8 @@ constexpr std::int64_t kLoggedMoves = 500'000;
 constexpr int kUnbounded = 1 << 29;
 // A search from a given tree comes back to it this often before it starts anew like any other.
 constexpr int kRestartsFromHere = 3;
+// Patience ends at a million times the first: long before, whoever waits has stopped the search.
+constexpr int kMostDoublings = 20;
 
 // m = val · log_val |F| (4.4), at least one.
 std::size_t memory_length(const SearchModel& model) {
@@ -82,12 +84,22 @@ void TabuSolver::step() {
   } else if (!climb_.saw_free) {
     stuck_face_ = climb_.chosen;  // root lock: all neighbours lie in the face's own subtree (4.5)
   }
-  if (!is_solved_ &&
-      iterations_ - last_gain_ > static_cast<std::int64_t>(settings_.restart_after) * model_->n_faces) {
+  if (!is_solved_ && has_lost_patience()) {
     ++restarts_;
     start();
     check_solved();
   }
+}
+
+// How often the search began with a tree of its own: coming back to a given tree teaches nothing about heat.
+int TabuSolver::fresh_restarts() const {
+  if (settings_.cooling_restarts == 0) return 0;
+  return from_.empty() ? restarts_ : std::max(0, restarts_ - kRestartsFromHere);
+}
+
+bool TabuSolver::has_lost_patience() const {
+  const std::int64_t patience = static_cast<std::int64_t>(settings_.restart_after) * model_->n_faces;
+  return iterations_ - last_gain_ > patience << std::min(fresh_restarts(), kMostDoublings);
 }
 
 // A random overlapping face (4.3), or the one that was stuck.
@@ -160,11 +172,14 @@ void TabuSolver::count_crossings() {
 }
 
 // The worst change a move may bring, drawn before the climb: a Metropolis rule turned into a bound, so that
-// counting can stop early from the first candidate on. The paper takes the best move however bad. The
-// temperature stays the same: phases of cooling freeze large models.
+// counting can stop early from the first candidate on. The paper takes the best move however bad. From
+// one start tree the temperature stays the same: phases of cooling freeze large models.
 int TabuSolver::draw_bound() {
   if (!settings_.bounds_worsening) return kUnbounded;
-  return static_cast<int>(-settings_.temperature * std::log(1 - random_.unit())) + 1;
+  const int n = fresh_restarts();
+  const double temperature =
+      n == 0 ? settings_.temperature : std::ldexp(settings_.temperature, -(n % settings_.cooling_restarts));
+  return static_cast<int>(-temperature * std::log(1 - random_.unit())) + 1;
 }
 
 // From the chosen face to the root: the first fold with an improving exchange wins, else the best on the way

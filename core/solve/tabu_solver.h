@@ -36,6 +36,9 @@ struct SearchSettings {
   bool counts_as_paper = false;
   /// Iterations per face without a new fewest before a new start tree.
   int restart_after = 3;
+  /// Every new start tree gets twice the patience of the one before and half its temperature, which begins
+  /// anew with every so many trees. 0: all are treated alike.
+  int cooling_restarts = 4;
 
   static SearchSettings fast() { return {}; }
   static SearchSettings paper() {
@@ -48,6 +51,7 @@ struct SearchSettings {
     s.counts_bounded = false;
     s.counts_as_paper = true;
     s.restart_after = 50;
+    s.cooling_restarts = 0;
     return s;
   }
 };
@@ -132,6 +136,8 @@ class TabuSolver {
   void check_solved();
   void note_best();
   [[nodiscard]] int draw_bound();
+  [[nodiscard]] int fresh_restarts() const;
+  [[nodiscard]] bool has_lost_patience() const;
   [[nodiscard]] bool is_cancelled() const { return progress_ != nullptr && progress_->is_cancelled(); }
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
