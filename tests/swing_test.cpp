@@ -153,6 +153,26 @@ TEST(Swing, AGlideGoesFromAnyNetToAnyOtherWithPartsOfBothInOnePiece) {
     ASSERT_NEAR(glm::distance(next.net().corner(h), before.corner(h)), 0, 1e-9);
 }
 
+TEST(Swing, ANetThatOnlyLiesElsewhereGlidesThereInOnePiece) {
+  const Net before = net_of(shapes::icosphere(2));
+  Net after = before;
+  const Rigid2 motion = Rigid2{1, 0, 5, -3} * Rigid2::rotation(2.5);
+  for (const FaceId f : after.mesh().faces()) after.placement[f] = motion * after.placement[f];
+  const Net back = laid_over(after, before);
+  Swing glide(before, after, 10);
+  EXPECT_TRUE(glide.advance(10 + Swing::kSeconds / 3));
+  const Mesh& mesh = before.mesh();
+  const HalfedgeId first = mesh.first(FaceId(0));
+  for (const HalfedgeId h : mesh.halfedges()) {
+    ASSERT_NEAR(glm::distance(back.corner(h), before.corner(h)), 0, 1e-9);
+    ASSERT_NEAR(glm::distance(glide.net().corner(h), glide.net().corner(first)),
+                glm::distance(before.corner(h), before.corner(first)), 1e-9);
+  }
+  EXPECT_FALSE(glide.advance(10 + Swing::kSeconds));
+  for (const HalfedgeId h : mesh.halfedges())
+    ASSERT_NEAR(glm::distance(glide.net().corner(h), after.corner(h)), 0, 1e-9);
+}
+
 TEST(Swing, AJoinedPartSwingsAndThenTheNetIsDrawnAsItIs) {
   Ball gui;
   const Net before = *gui.scene().net();

@@ -110,8 +110,11 @@ void Scene::take_net(const UiContext& context, Renderers& renderers) {
   const auto layout = context.ui.settings.show_pages ? context.session.pages() : nullptr;
   const std::uint64_t arranged = context.ui.arranging.version;
   const bool was_swinging = swinging_.has_value();
+  const bool was_resting = was_swinging && swinging_->is_over;
   follow_swing(context, shown);
-  if (shown == shown_ && layout == layout_ && arranged == arranged_version_ && !was_swinging) return;
+  const bool is_resting = was_resting && swinging_ && swinging_->is_over;
+  const bool is_still = !was_swinging || is_resting;
+  if (shown == shown_ && layout == layout_ && arranged == arranged_version_ && is_still) return;
   shown_ = shown;
   viewed_run_ = context.session.viewed_run();
   layout_ = layout;
@@ -128,17 +131,43 @@ void Scene::take_net(const UiContext& context, Renderers& renderers) {
     renderers.net.set_sheets(paged_ == nullptr ? std::span<const SheetOutline>() : paged_->sheets);
 }
 
+/// A search or a replay goes on, of the run that is looked at.
+bool is_on_the_way(const Session& session) {
+  const RunState state = session.state();
+  return state == RunState::Running || state == RunState::Paused || state == RunState::Replaying ||
+         session.timeline().has_value();
+}
+
 /// One net without overlaps after another, of the same search or replay: that is what polish shows.
 bool Scene::is_next_of_polish(const UiContext& context, const ShownNet* shown) const {
-  const Session& session = context.session;
   if (context.ui.is_motion_reduced || shown == nullptr || shown_ == nullptr || shown == shown_.get() ||
       paged_ != nullptr)
     return false;
-  const RunState state = session.state();
-  const bool is_moving = state == RunState::Running || state == RunState::Paused ||
-                         state == RunState::Replaying || session.timeline().has_value();
-  return is_moving && session.viewed_run() == viewed_run_ && shown->net.dual == shown_->net.dual &&
-         shown->overlaps.empty() && shown_->overlaps.empty() && !(shown->net.tree == shown_->net.tree);
+  return is_on_the_way(context.session) && context.session.viewed_run() == viewed_run_ &&
+         shown->net.dual == shown_->net.dual && shown->overlaps.empty() && shown_->overlaps.empty() &&
+         !(shown->net.tree == shown_->net.tree);
+}
+
+void Scene::advance_swing(const UiContext& context, const std::shared_ptr<const ShownNet>& shown) {
+  const UiState& ui = context.ui;
+  Swinging& now = *swinging_;
+  const bool is_other =
+      shown == nullptr || shown->net.dual != shown_->net.dual || !(shown->net.tree == now.swing.goal());
+  if (is_other) return swinging_.reset();
+  if (!now.is_over) now.is_over = !now.swing.advance(ui.now);
+  if (!now.is_over) return;
+  const bool waits = is_laying_out(context);
+  if (!now.is_glide) {
+    // It rests where it arrived until it has a place on a page.
+    const bool is_resting = now.is_on_pages && waits && ui.now - now.since < Swing::kSeconds + kPatience_s;
+    if (!is_resting) swinging_.reset();
+    return;
+  }
+  const bool has_pages = ui.settings.show_pages && context.session.pages() != nullptr;
+  if (now.is_home || has_pages) return swinging_.reset();
+  if (is_on_the_way(context.session) || waits) return;
+  const Net drawn = now.swing.net();
+  swinging_ = Swinging{Swing(drawn, shown->net, ui.now), shown->net.box(), false, ui.now, true, true};
 }
 
 void Scene::follow_swing(const UiContext& context, const std::shared_ptr<const ShownNet>& shown) {
@@ -146,22 +175,17 @@ void Scene::follow_swing(const UiContext& context, const std::shared_ptr<const S
   const std::optional<SwingWish> wish = std::exchange(ui.swing, std::nullopt);
   std::optional<Net> drawn;
   if (!wish && is_next_of_polish(context, shown.get())) drawn = *net();
-  if (swinging_) {
-    const bool is_other = shown == nullptr || shown->net.dual != shown_->net.dual ||
-                          !(shown->net.tree == swinging_->swing.goal());
-    const bool is_moving = swinging_->swing.advance(ui.now);
-    // It rests where it arrived until it has a place on a page.
-    const bool is_resting = swinging_->is_on_pages && is_laying_out(context) &&
-                            ui.now - swinging_->since < Swing::kSeconds + kPatience_s;
-    if (is_other || !(is_moving || is_resting)) swinging_.reset();
-  }
+  if (swinging_) advance_swing(context, shown);
   const bool begins = wish && shown != shown_ && shown && shown_ && shown->net.dual == shown_->net.dual;
   if (begins) {
     const Swinging began{Swing(*net(), shown->net, *wish, ui.now), net_box(), is_on_pages(), ui.now};
     swinging_ = began;
   }
-  if (drawn) swinging_ = Swinging{Swing(*drawn, shown->net, ui.now), shown->net.box(), false, ui.now, true};
-  if (swinging_) ui.frames_wanted = std::max(ui.frames_wanted, 2);
+  if (drawn) {
+    const Net goal = laid_over(shown->net, *drawn);
+    swinging_ = Swinging{Swing(*drawn, goal, ui.now), goal.box(), false, ui.now, true};
+  }
+  if (swinging_ && !swinging_->is_over) ui.frames_wanted = std::max(ui.frames_wanted, 2);
 }
 
 /// What the sheets show: everything that will be printed, as long as nothing of it is on the move.

@@ -46,7 +46,7 @@ class Scene {
   }
   /// A part of the net is on its way to where it was joined; until it is there the desk stays as it was.
   [[nodiscard]] bool is_swinging() const { return swinging_.has_value() && !swinging_->is_glide; }
-  /// The net is on its way from one that polish had found to a better one.
+  /// The net is on its way from one that polish had found to a better one, or lies where that ended.
   [[nodiscard]] bool is_gliding() const { return swinging_.has_value() && swinging_->is_glide; }
   /// Everything the net's view should show: net and pages.
   [[nodiscard]] const Box2& net_box() const { return swinging_ ? swinging_->box : net_box_; }
@@ -77,6 +77,7 @@ class Scene {
   void mark_faces(const UiContext& context);
   void mark_pieces(const UiContext& context);
   void follow_swing(const UiContext& context, const std::shared_ptr<const ShownNet>& shown);
+  void advance_swing(const UiContext& context, const std::shared_ptr<const ShownNet>& shown);
   [[nodiscard]] bool is_next_of_polish(const UiContext& context, const ShownNet* shown) const;
   [[nodiscard]] bool waits_for_pages(const UiContext& context);
   void move_held_pieces(const Arranging& arranging);
@@ -94,6 +95,8 @@ class Scene {
     bool is_on_pages;
     double since;
     bool is_glide = false;
+    bool is_home = false;  ///< where it goes is where the session lays the net out
+    bool is_over = false;  ///< arrived; a glide's net stays there until the next one comes
   };
 
   std::shared_ptr<const PolygonSoup> source_;

@@ -23,8 +23,9 @@ class Swing {
   /// `before`: the net as it was drawn; `after`: the same model's net with the edge joined, laid out
   /// anywhere.
   Swing(Net before, const Net& after, const SwingWish& wish, double now);
-  /// From any net of a model, as it was drawn, to another one, as it is laid out. What holds together in both
-  /// holds together on its way, if it does to begin with.
+  /// From any net of a model, as it was drawn, to another one, as it is laid out. The net turns as a whole as
+  /// far as the two lie differently; what holds together in both holds together on its way, if it does to
+  /// begin with.
   Swing(const Net& before, const Net& after, double now);
 
   /// The net at this moment, drawn where `before` was.
@@ -41,11 +42,18 @@ class Swing {
   };
   static Way way_of(const Rigid2& whole, glm::dvec2 pivot);
 
+  [[nodiscard]] static Rigid2 part_of(const Way& way, double share);
+
   Net net_;
+  Way whole_;  ///< of the net, after what each face does
   IdVector<FaceId, Rigid2> from_;
   IdVector<FaceId, Way> ways_;
   double since_;
   bool starts_fast_ = false;
 };
+
+/// The same net moved as a whole to where its paper lies as much as can be where it lies in `drawn`, a net of
+/// the same model.
+Net laid_over(Net net, const Net& drawn);
 
 }  // namespace netwright
