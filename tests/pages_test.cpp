@@ -95,23 +95,6 @@ TEST(TileTag, CountsLikeASpreadsheet) {
   EXPECT_EQ(tile_tag(26, 11), "AA12");
 }
 
-TEST(NeededTiles, KeepsATileThatLiesWhollyInsideTheShape) {
-  ASSERT_EQ(tiles_for({270, 270}, {100, 100}, 10), std::pair(3, 3));
-  const TileGrid grid = TileGrid::even({100, 100}, 10, 3, 3, {{5, 5}, {275, 275}});
-  const std::vector<glm::dvec2> square = {{5, 5}, {275, 5}, {275, 275}, {5, 275}};
-  std::vector<Segment> outline;
-  for (std::size_t i = 0; i < 4; ++i) outline.emplace_back(square[i], square[(i + 1) % 4]);
-  EXPECT_EQ(needed_tiles(grid, outline), std::vector<char>(9, 1));
-}
-
-TEST(NeededTiles, LeavesOutTilesBesideTheShape) {
-  const TileGrid grid = TileGrid::even({100, 100}, 10, 3, 3, {{5, 5}, {80, 80}});
-  const std::vector<Segment> corner = {{{5, 5}, {80, 5}}, {{80, 5}, {5, 80}}, {{5, 80}, {5, 5}}};
-  const std::vector<char> needed = needed_tiles(grid, corner);
-  EXPECT_EQ(std::count(needed.begin(), needed.end(), 1), 1);
-  EXPECT_EQ(needed[0], 1);
-}
-
 TEST(PageFrame, KeepsItsStripsApartOnEveryPaper) {
   for (const PaperFormat& format : paper_formats())
     for (const double margin : {0.0, 5.0, 10.0, 15.0})

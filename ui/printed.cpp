@@ -25,6 +25,17 @@ std::optional<Box2> clip_of(const PageLayout& layout, const PageLayout::Page& pa
   return box;
 }
 
+/// How many sheets each row of each canvas has.
+std::vector<std::vector<int>> sheets_in_rows(const PageLayout& layout) {
+  std::vector<std::vector<int>> rows(layout.canvases.size());
+  for (const PageLayout::Page& page : layout.pages) {
+    std::vector<int>& of_canvas = rows[static_cast<std::size_t>(page.canvas)];
+    of_canvas.resize(std::max(of_canvas.size(), static_cast<std::size_t>(page.row) + 1), 0);
+    ++of_canvas[static_cast<std::size_t>(page.row)];
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<PlacedSheet> place_sheets(const std::vector<Sheet>& sheets, const PageLayout& layout,
@@ -62,14 +73,16 @@ std::vector<PlacedSheet> spread_tiles(const std::vector<Sheet>& sheets, const Pa
   for (const PageLayout::Canvas& canvas : layout.canvases) top = std::max(top, canvas.height_mm);
   for (const PlacedSheet& sheet : above)
     if (!sheet.clip) top = std::max(top, sheet.corner_mm.y + sheet.sheet->height_mm);
-  // Each below the middle of its canvas, but none over the one before.
-  std::vector<double> lefts;
+  const std::vector<std::vector<int>> rows = sheets_in_rows(layout);
+  // The longest row below the middle of its canvas, but none over the canvas before; the others amid it.
+  std::vector<double> middles;
   double free = std::numeric_limits<double>::lowest();
   for (std::size_t i = 0; i < layout.canvases.size(); ++i) {
-    const PageLayout::Canvas& canvas = layout.canvases[i];
-    const double all = canvas.columns * width - kGapMm;
-    lefts.push_back(std::max(free, canvas_left(layout, static_cast<int>(i)) + (canvas.width_mm - all) / 2));
-    if (canvas.is_tiled()) free = lefts.back() + all + kSpreadGapMm;
+    const int longest = rows[i].empty() ? 1 : *std::max_element(rows[i].begin(), rows[i].end());
+    const double all = longest * width - kGapMm;
+    const double below = canvas_left(layout, static_cast<int>(i)) + layout.canvases[i].width_mm / 2;
+    middles.push_back(std::max(free + all / 2, below));
+    if (layout.canvases[i].is_tiled()) free = middles.back() + all / 2 + kSpreadGapMm;
   }
   std::vector<PlacedSheet> spread;
   const std::size_t n_sides = sheets.size() / std::max<std::size_t>(layout.pages.size(), 1);
@@ -77,10 +90,12 @@ std::vector<PlacedSheet> spread_tiles(const std::vector<Sheet>& sheets, const Pa
     const PageLayout::Page& page = layout.pages[i / n_sides];
     const auto canvas = static_cast<std::size_t>(page.canvas);
     if (!layout.canvases[canvas].is_tiled()) continue;
-    const auto row = page.row + static_cast<int>(i % n_sides) * layout.canvases[canvas].rows;
+    const auto row = static_cast<std::size_t>(page.row) + (i % n_sides) * rows[canvas].size();
+    const int n_in_row = rows[canvas][static_cast<std::size_t>(page.row)];
     const bool is_mirrored = sheets[i].is_back || printed_side == PrintedSide::Inside;
-    const int column = is_mirrored ? layout.canvases[canvas].columns - 1 - page.column : page.column;
-    const glm::dvec2 corner(lefts[canvas] + column * width, top + kSpreadGapMm + row * height);
+    const int column = is_mirrored ? n_in_row - 1 - page.column : page.column;
+    const double left = middles[canvas] - (n_in_row * width - kGapMm) / 2;
+    const glm::dvec2 corner(left + column * width, top + kSpreadGapMm + static_cast<double>(row) * height);
     spread.push_back({&sheets[i], corner, std::nullopt, true});
   }
   return spread;

@@ -11,7 +11,7 @@
 #include "core/sheet/pack.h"
 #include "core/sheet/pack_outlines.h"
 #include "core/sheet/print_style.h"
-#include "core/sheet/tile_seams.h"
+#include "core/sheet/tiles.h"
 
 namespace netwright {
 
@@ -20,7 +20,11 @@ namespace {
 using print_style::kPieceGap;
 using print_style::kTileOverlap;
 
-constexpr std::size_t kMostTilesSearched = 400;
+// Every so many half degrees an angle is tried. More find hardly more, and those of the quick look are among
+// the others.
+constexpr int kBestStep = 6;
+constexpr int kQuickStep = 24;
+constexpr std::size_t kMostTilesSearched = 1400;
 constexpr std::size_t kMostTilesDrawn = 4000;
 constexpr std::size_t kMostPackedByOutline = 100;
 
@@ -80,15 +84,11 @@ class Arranger {
     Tiled tiled;
     tiled.angle_rad = angle_rad;
     std::tie(tiled.columns, tiled.rows) = tiles_for(size, room(), kTileOverlap);
-    const glm::dvec2 canvas = TileGrid::even(room(), kTileOverlap, tiled.columns, tiled.rows, {}).size();
+    const glm::dvec2 canvas = tiled_size(room(), kTileOverlap, tiled.columns, tiled.rows);
     tiled.place =
         placed_at(shape.hull, angle_rad, static_cast<int>(layout_.canvases.size()), (canvas - size) * 0.5);
     add_to_area(tiled.area, shape, tiled.place.turn);
     return tiled;
-  }
-
-  [[nodiscard]] Tiling evenly(const Tiled& tiled) const {
-    return even_tiling(tiled.area, room(), kTileOverlap, tiled.columns, tiled.rows);
   }
 
   /// Angles whose grids are small enough to look into; else the one whose grid is the smallest, if that can
@@ -108,31 +108,21 @@ class Arranger {
     return angles;
   }
 
-  /// As few sheets as evenly spaced seams take at their best angle, and of all seams and angles that take no
-  /// more those that cut the fewest marks.
+  /// At the angle that takes the fewest sheets whose seams cut the fewest marks.
   bool tile(std::size_t piece, const Hull& hull) {
     std::optional<Tiling> best;
-    PageLayout::Placement place;
-    for (const double angle_rad : tiling_angles(hull, seams_ == Seams::Best ? 6 : 12)) {
-      const Tiled way = tiled_at(piece, angle_rad);
-      Tiling even = evenly(way);
-      if (best && !is_better(even, *best)) continue;
-      best = std::move(even);
-      place = way.place;
+    Tiled way;
+    for (const double angle_rad : tiling_angles(hull, seams_ == Seams::Best ? kBestStep : kQuickStep)) {
+      Tiled here = tiled_at(piece, angle_rad);
+      Tiling tiling = tile_area(here.area, room(), kTileOverlap);
+      if (best && !is_better(tiling, *best)) continue;
+      best = std::move(tiling);
+      way = std::move(here);
     }
     if (!best) return false;
-    const std::size_t n_sheets = best->n_sheets;
-    for (const double angle_rad : seams_ == Seams::Best ? tiling_angles(hull, 1) : std::vector<double>()) {
-      const Tiled way = tiled_at(piece, angle_rad);
-      std::optional<Tiling> tiling =
-          best_tiling(way.area, room(), kTileOverlap, way.columns, way.rows, n_sheets, best->n_cut_marks);
-      if (!tiling) continue;
-      best = std::move(tiling);
-      place = way.place;
-    }
-    layout_.pieces[piece] = place;
-    add_tiled_canvas(layout_, *best, n_lettered_rows_);
-    n_lettered_rows_ += best->grid.rows();
+    layout_.pieces[piece] = way.place;
+    add_tiled_canvas(layout_, *best, way.columns, way.rows, n_lettered_rows_);
+    n_lettered_rows_ += best->n_rows;
     return true;
   }
 
@@ -216,16 +206,14 @@ class Arranger {
 
 double fill_factor(glm::dvec2 size, glm::dvec2 room) { return std::max(size.x / room.x, size.y / room.y); }
 
-void add_tiled_canvas(PageLayout& layout, const Tiling& tiling, int first_row_letter) {
-  const TileGrid& grid = tiling.grid;
+void add_tiled_canvas(PageLayout& layout, const Tiling& tiling, int columns, int rows, int first_row_letter) {
   const auto canvas = static_cast<int>(layout.canvases.size());
-  for (int row = 0; row < grid.rows(); ++row)
-    for (int column = 0; column < grid.columns(); ++column)
-      if (tiling.is_needed[grid.index(column, row)] != 0)
-        layout.pages.push_back({canvas, column, row, grid.origin(column, row),
-                                tile_tag(first_row_letter + row, column), grid.shown(column, row)});
-  layout.canvases.push_back({grid.size().x, grid.size().y, grid.columns(), grid.rows(), first_row_letter,
-                             grid.column_seams, grid.row_seams});
+  for (const Tiling::Tile& tile : tiling.tiles)
+    layout.pages.push_back({canvas, tile.column, tile.row, tile.origin,
+                            tile_tag(first_row_letter + tile.row, tile.column), tile.share, tile.shown});
+  const glm::dvec2 size = tiled_size(layout.frame.net.size(), layout.overlap_mm, columns, rows);
+  layout.canvases.push_back(
+      {size.x, size.y, columns, rows, first_row_letter, tiling.seams, tiling.n_cut_marks});
 }
 
 std::optional<PageLayout> arrange_on(const PieceShapes& shapes, const PageFrame& frame, Seams seams) {

@@ -7,7 +7,6 @@
 #include "core/sheet/font.h"
 #include "core/sheet/labels.h"
 #include "core/sheet/sheet.h"
-#include "core/sheet/tiles.h"
 
 namespace netwright {
 

@@ -27,6 +27,7 @@ constexpr double kLegendSize = 2.4;
 constexpr double kLegendGap = 2;
 constexpr double kMapHeight = 9.4;
 constexpr double kMapWidth = 22;
+constexpr double kMapLargest = 0.04;  ///< of the sheets themselves
 
 Stroke hairline(glm::dvec2 from, glm::dvec2 to) {
   return {Layer::Print, {from, to}, false, kHairlineWidth, kHairline, {}, 0};
@@ -176,21 +177,26 @@ void MarginArtist::draw_proof(Sheet& sheet, double right, double baseline) const
        0});
 }
 
-/// The sheets of this canvas as little pages, this one dark. Returns the map's left side.
+/// The sheets of this canvas, small and in their places, this one dark. Returns the map's left side.
 double MarginArtist::draw_map(Sheet& sheet, const PageView& view, double right) const {
-  const PageLayout::Page& page = view.page;
-  const PageLayout::Canvas& canvas = layout_.canvases[static_cast<std::size_t>(page.canvas)];
-  const glm::dvec2 paper(layout_.frame.width_mm, layout_.frame.height_mm);
-  const double scale = std::min(kMapHeight / (canvas.rows * paper.y), kMapWidth / (canvas.columns * paper.x));
-  const glm::dvec2 cell = paper * scale;
-  const double seam = std::min({0.3, 0.15 * cell.x, 0.15 * cell.y});
-  const glm::dvec2 corner(right - canvas.columns * cell.x, layout_.frame.header.min.y);
-  for (const PageLayout::Page& other : layout_.pages) {
-    if (other.canvas != page.canvas) continue;
-    const int column = view.is_mirrored ? canvas.columns - 1 - other.column : other.column;
-    const glm::dvec2 low = corner + glm::dvec2(column, other.row) * cell;
-    const glm::dvec2 high = low + cell - seam;
-    const bool is_here = other.column == page.column && other.row == page.row;
+  Box2 all;
+  for (const PageLayout::Page& page : layout_.pages)
+    if (page.canvas == view.page.canvas) all.add(page.share);
+  const double scale = std::min({kMapHeight / all.size().y, kMapWidth / all.size().x, kMapLargest});
+  const glm::dvec2 corner(right - all.size().x * scale, layout_.frame.header.min.y);
+  for (const PageLayout::Page& page : layout_.pages) {
+    if (page.canvas != view.page.canvas) continue;
+    glm::dvec2 low = (page.share.min - all.min) * scale;
+    glm::dvec2 high = (page.share.max - all.min) * scale;
+    if (view.is_mirrored) {
+      low.x = all.size().x * scale - low.x;
+      high.x = all.size().x * scale - high.x;
+      std::swap(low.x, high.x);
+    }
+    const bool is_here = page.row == view.page.row && page.column == view.page.column;
+    const double seam = std::min({0.3, 0.15 * (high.x - low.x), 0.15 * (high.y - low.y)});
+    low += corner;
+    high += corner - seam;
     sheet.fills.push_back(
         {Layer::Print, {low, {high.x, low.y}, high, {low.x, high.y}}, is_here ? kMapHere : kMapPaper});
   }

@@ -48,7 +48,7 @@ class Trials {
       : shapes_(shapes), frame_(frame), n_pages_(static_cast<std::size_t>(n_pages)) {}
 
   bool fits(double zoom) {
-    std::optional<PageLayout> layout = arrange_on(zoomed(shapes_, zoom), frame_, Seams::Even);
+    std::optional<PageLayout> layout = arrange_on(zoomed(shapes_, zoom), frame_, Seams::Quick);
     const bool is_good = layout && layout->pages.size() <= n_pages_;
     if (is_good) best_ = std::max(best_, zoom);
     return is_good;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/sheet/draw.h"
-#include "core/sheet/tiles.h"
+#include "core/sheet/outline.h"
 
 namespace netwright {
 

@@ -70,6 +70,17 @@ std::optional<std::pair<double, double>> clip_segment(const Box2& box, glm::dvec
   return std::pair(enter, leave);
 }
 
+int winding_number(const std::vector<Segment>& outline, glm::dvec2 p) {
+  int winding = 0;
+  for (const auto& [a, b] : outline) {
+    if ((a.y <= p.y) == (b.y <= p.y)) continue;
+    const double side = cross(b - a, p - a);
+    if (a.y <= p.y && side > 0) ++winding;
+    if (a.y > p.y && side < 0) --winding;
+  }
+  return winding;
+}
+
 ClippedLine clip_polyline(const Box2& box, const std::vector<glm::dvec2>& points, bool is_closed) {
   ClippedLine result;
   if (std::all_of(points.begin(), points.end(), [&](glm::dvec2 p) { return is_inside(box, p); })) {

@@ -17,6 +17,8 @@ struct OutlineLoop {
   std::vector<HalfedgeId> sides;
 };
 
+using Segment = std::pair<glm::dvec2, glm::dvec2>;
+
 /// All loops, ordered by piece.
 std::vector<OutlineLoop> outline_loops(const Net& net);
 
@@ -26,6 +28,9 @@ IdVector<HalfedgeId, const GlueTab*> tabs_by_side(const Mesh& mesh, const GlueTa
 /// The part of a segment inside a box, as parameters 0…1 from a to b; nothing when it misses the box or only
 /// touches it in a point.
 std::optional<std::pair<double, double>> clip_segment(const Box2& box, glm::dvec2 a, glm::dvec2 b);
+
+/// How often a closed outline winds around a point: 0 outside.
+int winding_number(const std::vector<Segment>& outline, glm::dvec2 point);
 
 /// The runs of a polyline inside a box; `is_closed` in, open runs out (a closed line wholly inside comes back
 /// whole, with `is_whole` set).

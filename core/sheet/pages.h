@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/sheet/outline.h"
 #include "core/sheet/page_frame.h"
 #include "core/sheet/print_size.h"
 #include "core/unfold/glue_tabs.h"
@@ -15,27 +16,29 @@
 namespace netwright {
 
 struct PageLayout {
-  /// A flat area that pieces lie on, cut into columns x rows of overlapping tiles (1 x 1: it is one page).
+  /// A flat area that pieces lie on, large enough for columns x rows of overlapping tiles (1 x 1: it is one
+  /// page).
   struct Canvas {
     double width_mm = 0;
     double height_mm = 0;
     int columns = 1;
     int rows = 1;
     int first_row_letter = 0;  ///< rows are lettered on over the canvases: 0 = A
-    /// Where neighbouring sheets are joined, in mm on the canvas; the windows of both reach over the seam by
-    /// half of overlap_mm at least. One fewer than columns and rows.
-    std::vector<double> column_seams = {};
-    std::vector<double> row_seams = {};
+    /// The lines along which neighbouring sheets are joined; both show what lies within half of overlap_mm.
+    std::vector<Segment> seams = {};
+    int n_cut_marks = 0;  ///< how often they run through a fold, a tab or a number
     [[nodiscard]] bool is_tiled() const { return columns * rows > 1; }
   };
   /// One printed page: it shows the canvas from `origin` on, in frame.net.
   struct Page {
     int canvas = 0;
-    int column = 0;
+    int column = 0;  ///< counted in its row; columns need not lie below each other
     int row = 0;
     glm::dvec2 origin{0, 0};  ///< canvas point at the top left corner of frame.net
     std::string tag;          ///< "A1", "B3" …: row and column; empty on a canvas of one page
-    /// What of the canvas is drawn: a tile ends half of overlap_mm beyond its seams; empty for all of
+    /// Of a tile: what only it answers for, bounded by its seams and by where there is no paper.
+    Box2 share = {};
+    /// What of the canvas is drawn: a tile ends half of overlap_mm beyond its share; empty for all of
     /// frame.net.
     Box2 shown = {};
   };

@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "core/sheet/tiles.h"
+#include "core/sheet/outline.h"
 #include "core/unfold/glue_tabs.h"
 #include "core/unfold/net.h"
 

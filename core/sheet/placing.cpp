@@ -60,12 +60,9 @@ void add_canvases(PageLayout& layout, const HandLayout& placed, const PieceShape
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const HandLayout::Canvas& canvas = placed.canvases[i];
     if (canvas.columns * canvas.rows > 1) {
-      Tiling tiling = even_tiling(areas[i], room, layout.overlap_mm, canvas.columns, canvas.rows);
-      if (auto moved = best_tiling(areas[i], room, layout.overlap_mm, canvas.columns, canvas.rows,
-                                   tiling.n_sheets, tiling.n_cut_marks))
-        tiling = std::move(*moved);
-      add_tiled_canvas(layout, tiling, n_lettered_rows);
-      n_lettered_rows += canvas.rows;
+      const Tiling tiling = tile_area(areas[i], room, layout.overlap_mm);
+      add_tiled_canvas(layout, tiling, canvas.columns, canvas.rows, n_lettered_rows);
+      n_lettered_rows += tiling.n_rows;
     } else {
       if (!areas[i].box.is_empty()) layout.pages.push_back({static_cast<int>(i), 0, 0, {0, 0}, ""});
       layout.canvases.push_back({room.x, room.y, 1, 1, 0});

@@ -1,11 +1,11 @@
-// Which tiles a piece needs: those its outline runs through, and those that lie wholly inside it.
+// The canvas is cut into rows first, by what lies in each of them then into sheets: a straight seam through
+// the whole net would cut more, and rows that are short or have gaps would waste paper.
 #include "core/sheet/tiles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/base/geometry.h"
 #include "core/sheet/outline.h"
 
 namespace netwright {
@@ -13,6 +13,7 @@ namespace netwright {
 namespace {
 
 constexpr int kMostPerSide = 10000;
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
 int count_for(double size, double window, double overlap) {
   // A billionth of a page more is no reason for another page.
@@ -20,106 +21,150 @@ int count_for(double size, double window, double overlap) {
   return static_cast<int>(std::clamp(count, 1.0, static_cast<double>(kMostPerSide)));
 }
 
-std::vector<double> even_seams(double window, double overlap, int count) {
-  std::vector<double> seams;
-  for (int i = 1; i < count; ++i) seams.push_back(i * (window - overlap) + overlap / 2);
-  return seams;
+/// How far a segment reaches along an axis between two levels along the other one.
+Span reach_of(glm::dvec2 a, glm::dvec2 b, int axis, Span between) {
+  const int other = 1 - axis;
+  if (a[other] > b[other]) std::swap(a, b);
+  if (b[other] < between.low || a[other] > between.high) return {kFar, -kFar};
+  const auto at = [&](double level) {
+    const double t = (level - a[other]) / (b[other] - a[other]);
+    return a[axis] + (b[axis] - a[axis]) * t;
+  };
+  const double one = a[other] < between.low ? at(between.low) : a[axis];
+  const double two = b[other] > between.high ? at(between.high) : b[axis];
+  return {std::min(one, two), std::max(one, two)};
 }
 
-/// Where a window begins that shows all from `low` to `high`: what is left over lies on both sides.
-double window_start(double low, double high, double window, double size) {
-  return std::clamp((low + high - window) / 2, 0.0, std::max(0.0, size - window));
+/// The paper along an axis, between two levels: where its outline runs, and what lies inside of it between.
+std::vector<Span> paper_along(const TiledArea& area, int axis, Span between, double overlap) {
+  std::vector<Span> spans;
+  for (const auto& [a, b] : area.outline) {
+    const Span reach = reach_of(a, b, axis, between);
+    if (reach.low <= reach.high) spans.push_back(reach);
+  }
+  spans = merge_spans(std::move(spans), overlap);
+  const double level = (between.low + between.high) / 2;
+  for (std::size_t i = 1; i < spans.size(); ++i) {
+    glm::dvec2 gap(level);
+    gap[axis] = (spans[i - 1].high + spans[i].low) / 2;
+    if (winding_number(area.outline, gap) != 0) spans[i].low = spans[i - 1].high;
+  }
+  return merge_spans(std::move(spans), overlap);
 }
 
-/// Where the outline crosses the level line at this height, upwards (1) or downwards (-1).
-std::vector<std::pair<double, int>> crossings_at(const std::vector<Segment>& outline, double y) {
-  std::vector<std::pair<double, int>> crossings;
-  for (const auto& [a, b] : outline)
-    if ((a.y <= y) != (b.y <= y))
-      crossings.emplace_back(a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)), a.y <= y ? 1 : -1);
-  return crossings;
+CutStrip cut_along(const TiledArea& area, int axis, Span between, double window, double overlap) {
+  StripToCut strip{paper_along(area, axis, between, overlap), {}};
+  for (const NetMark& mark : area.marks) {
+    const Span reach = reach_of(mark, axis, between);
+    if (reach.low < reach.high) strip.marks.push_back(reach);
+  }
+  return cut_strip(strip, window, overlap);
+}
+
+/// Which sides of a share are seams.
+struct Joined {
+  bool low = false;
+  bool high = false;
+};
+
+Joined joined_at(const std::vector<Span>& shares, std::size_t i) {
+  return {i > 0 && shares[i - 1].high == shares[i].low,
+          i + 1 < shares.size() && shares[i].high == shares[i + 1].low};
+}
+
+/// Where a window begins that reaches over the seams of a share by half an overlap: what is left over lies on
+/// both sides.
+double window_start(const Span& share, Joined joined, double window, double overlap) {
+  const double low = share.low - (joined.low ? overlap / 2 : 0);
+  const double high = share.high + (joined.high ? overlap / 2 : 0);
+  return (low + high - window) / 2;
+}
+
+Tiling::Tile tile_of(const Box2& share, glm::dvec2 origin, glm::dvec2 window, double overlap) {
+  Tiling::Tile tile;
+  tile.share = share;
+  tile.origin = origin;
+  tile.shown = {glm::max(share.min - overlap / 2, origin),
+                glm::min(share.max + overlap / 2, origin + window)};
+  return tile;
+}
+
+void add_row(Tiling& tiling, const CutStrip& row, const Box2& place, double top, glm::dvec2 window,
+             double overlap) {
+  for (std::size_t i = 0; i < row.shares.size(); ++i) {
+    const Box2 share{{row.shares[i].low, place.min.y}, {row.shares[i].high, place.max.y}};
+    const Joined joined = joined_at(row.shares, i);
+    const glm::dvec2 origin(window_start(row.shares[i], joined, window.x, overlap), top);
+    Tiling::Tile& tile = tiling.tiles.emplace_back(tile_of(share, origin, window, overlap));
+    tile.row = tiling.n_rows;
+    tile.column = static_cast<int>(i);
+    if (joined.low) tiling.seams.emplace_back(share.min, glm::dvec2(share.min.x, share.max.y));
+  }
+  ++tiling.n_rows;
+  tiling.n_cut_marks += row.n_cut_marks;
 }
 
 }  // namespace
-
-int winding_number(const std::vector<Segment>& outline, glm::dvec2 p) {
-  int winding = 0;
-  for (const auto& [a, b] : outline) {
-    if ((a.y <= p.y) == (b.y <= p.y)) continue;
-    const double side = cross(b - a, p - a);
-    if (a.y <= p.y && side > 0) ++winding;
-    if (a.y > p.y && side < 0) --winding;
-  }
-  return winding;
-}
-
-TileGrid TileGrid::even(glm::dvec2 window, double overlap, int columns, int rows, const Box2& content) {
-  return {window, overlap, content, even_seams(window.x, overlap, columns),
-          even_seams(window.y, overlap, rows)};
-}
-
-Box2 TileGrid::share(int column, int row) const {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  const auto before = [](const std::vector<double>& seams, int i) {
-    return i == 0 ? -kFar : seams[static_cast<std::size_t>(i) - 1];
-  };
-  const auto behind = [](const std::vector<double>& seams, int i) {
-    return static_cast<std::size_t>(i) == seams.size() ? kFar : seams[static_cast<std::size_t>(i)];
-  };
-  return {{before(column_seams, column), before(row_seams, row)},
-          {behind(column_seams, column), behind(row_seams, row)}};
-}
-
-glm::dvec2 TileGrid::origin(int column, int row) const {
-  Box2 shown = share(column, row);
-  shown.min -= overlap / 2;
-  shown.max += overlap / 2;
-  shown.min = glm::max(shown.min, content.min);
-  shown.max = glm::min(shown.max, content.max);
-  return {window_start(shown.min.x, shown.max.x, window.x, size().x),
-          window_start(shown.min.y, shown.max.y, window.y, size().y)};
-}
-
-Box2 TileGrid::shown(int column, int row) const {
-  const glm::dvec2 corner = origin(column, row);
-  const Box2 own = share(column, row);
-  return {glm::max(own.min - overlap / 2, corner), glm::min(own.max + overlap / 2, corner + window)};
-}
 
 std::pair<int, int> tiles_for(glm::dvec2 size, glm::dvec2 window, double overlap) {
   return {count_for(size.x, window.x, overlap), count_for(size.y, window.y, overlap)};
 }
 
-std::vector<char> needed_tiles(const TileGrid& grid, const std::vector<Segment>& outline) {
-  std::vector<char> is_needed(grid.index(0, grid.rows()), 0);
-  const auto cell = [](double at, const std::vector<double>& seams) {
-    return static_cast<int>(std::upper_bound(seams.begin(), seams.end(), at) - seams.begin());
+glm::dvec2 tiled_size(glm::dvec2 window, double overlap, int columns, int rows) {
+  return glm::dvec2(columns, rows) * (window - overlap) + overlap;
+}
+
+void add_to_area(TiledArea& area, const PieceShape& piece, const Rigid2& turn) {
+  const auto on_canvas = [&](glm::dvec2 p) {
+    const glm::dvec2 turned = turn(p);
+    return glm::dvec2(turned.x, -turned.y);
   };
-  for (const auto& [a, b] : outline) {
-    const int last_row = cell(std::max(a.y, b.y), grid.row_seams);
-    const int last_column = cell(std::max(a.x, b.x), grid.column_seams);
-    for (int row = cell(std::min(a.y, b.y), grid.row_seams); row <= last_row; ++row)
-      for (int column = cell(std::min(a.x, b.x), grid.column_seams); column <= last_column; ++column) {
-        char& needed = is_needed[grid.index(column, row)];
-        if (needed == 0 && clip_segment(grid.share(column, row), a, b)) needed = 1;
-      }
-  }
-  // Where no outline runs through a tile, one point of its share speaks for all of it.
-  for (int row = 0; row < grid.rows(); ++row) {
-    const auto middle_of = [&](int column) {
-      const Box2 share = grid.share(column, row);
-      return (glm::max(share.min, grid.content.min) + glm::min(share.max, grid.content.max)) * 0.5;
-    };
-    const std::vector<std::pair<double, int>> crossings = crossings_at(outline, middle_of(0).y);
-    for (int column = 0; column < grid.columns(); ++column) {
-      char& needed = is_needed[grid.index(column, row)];
-      if (needed != 0) continue;
-      int winding = 0;
-      for (const auto& [x, turn] : crossings) winding += x > middle_of(column).x ? turn : 0;
-      if (winding != 0) needed = 1;
+  for (const std::vector<glm::dvec2>& outline : piece.outlines) {
+    glm::dvec2 before = on_canvas(outline.back());
+    for (const glm::dvec2 p : outline) {
+      const glm::dvec2 here = on_canvas(p);
+      area.outline.emplace_back(before, here);
+      area.box.add(here);
+      before = here;
     }
   }
-  return is_needed;
+  for (NetMark mark : piece.marks) {
+    for (glm::dvec2& p : mark.points) p = on_canvas(p);
+    area.marks.push_back(mark);
+  }
+}
+
+Span reach_of(const NetMark& mark, int axis, Span between) {
+  Span reach{kFar, -kFar};
+  const Span grown{between.low - mark.radius_mm, between.high + mark.radius_mm};
+  for (int i = 0; i < mark.n_points; ++i) {
+    const auto next = static_cast<std::size_t>((i + 1) % mark.n_points);
+    const Span side = reach_of(mark.points[static_cast<std::size_t>(i)], mark.points[next], axis, grown);
+    reach = {std::min(reach.low, side.low), std::max(reach.high, side.high)};
+  }
+  return {reach.low - mark.radius_mm, reach.high + mark.radius_mm};
+}
+
+Tiling tile_area(const TiledArea& area, glm::dvec2 window, double overlap) {
+  Tiling tiling;
+  const CutStrip rows = cut_along(area, 1, {area.box.min.x, area.box.max.x}, window.y, overlap);
+  tiling.n_cut_marks = rows.n_cut_marks;
+  for (std::size_t i = 0; i < rows.shares.size(); ++i) {
+    const Span height = rows.shares[i];
+    const Joined joined = joined_at(rows.shares, i);
+    const Box2 place{{area.box.min.x, height.low}, {area.box.max.x, height.high}};
+    if (joined.low) tiling.seams.emplace_back(place.min, glm::dvec2(place.max.x, place.min.y));
+    add_row(tiling, cut_along(area, 0, height, window.x, overlap), place,
+            window_start(height, joined, window.y, overlap), window, overlap);
+  }
+  return tiling;
+}
+
+bool is_better(const Tiling& a, const Tiling& b) {
+  const auto cost = [](const Tiling& tiling) {
+    return kMarksPerSheet * static_cast<double>(tiling.tiles.size()) + tiling.n_cut_marks;
+  };
+  return cost(a) < cost(b);
 }
 
 std::string tile_tag(int row, int column) {

@@ -1,4 +1,5 @@
-// Cutting what is larger than the paper into overlapping tiles, along seams that may lie anywhere.
+// Cutting what is larger than the paper into overlapping tiles: rows of sheets, each row with seams of its
+// own, where they run through few folds, labels and tabs.
 #pragma once
 
 #include <cstddef>
@@ -8,51 +9,50 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/sheet/cut_strip.h"
+#include "core/sheet/piece_shapes.h"
 
 namespace netwright {
-
-using Segment = std::pair<glm::dvec2, glm::dvec2>;
-
-/// A canvas cut into columns and rows by seams, the lines along which its sheets are joined. Each tile shows
-/// a window of the page's size that reaches over its seams by half the overlap at least.
-struct TileGrid {
-  glm::dvec2 window{0, 0};
-  double overlap = 0;
-  Box2 content;                      ///< what has to be shown
-  std::vector<double> column_seams;  ///< x on the canvas, ascending
-  std::vector<double> row_seams;     ///< y likewise
-
-  /// Seams that are as far apart as the windows allow.
-  static TileGrid even(glm::dvec2 window, double overlap, int columns, int rows, const Box2& content);
-
-  [[nodiscard]] int columns() const { return static_cast<int>(column_seams.size()) + 1; }
-  [[nodiscard]] int rows() const { return static_cast<int>(row_seams.size()) + 1; }
-  [[nodiscard]] std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns()) +
-           static_cast<std::size_t>(column);
-  }
-  /// Of the canvas: whatever the seams, it has room for evenly spaced ones.
-  [[nodiscard]] glm::dvec2 size() const {
-    return glm::dvec2(columns(), rows()) * (window - overlap) + overlap;
-  }
-  /// The corner of the tile's window, on the canvas.
-  [[nodiscard]] glm::dvec2 origin(int column, int row) const;
-  /// What of its window the tile shows: half an overlap beyond its seams, all where it has no neighbour.
-  [[nodiscard]] Box2 shown(int column, int row) const;
-  /// The part of the canvas that only this tile answers for: up to its seams, and beyond all bounds where it
-  /// has no neighbour.
-  [[nodiscard]] Box2 share(int column, int row) const;
-};
 
 /// How many columns and rows of windows it takes to show something of this size; 10000 at most.
 std::pair<int, int> tiles_for(glm::dvec2 size, glm::dvec2 window, double overlap);
 
-/// Which tiles are needed for the area inside a closed outline (on the canvas, all loops as segments): those
-/// whose share meets the area. One entry per tile, row by row.
-std::vector<char> needed_tiles(const TileGrid& grid, const std::vector<Segment>& outline);
+/// What so many columns and rows show.
+glm::dvec2 tiled_size(glm::dvec2 window, double overlap, int columns, int rows);
 
-/// How often the outline winds around a point: 0 outside.
-int winding_number(const std::vector<Segment>& outline, glm::dvec2 point);
+/// What lies on a canvas, in mm, y down.
+struct TiledArea {
+  std::vector<Segment> outline;  ///< closed
+  std::vector<NetMark> marks;    ///< what a seam should not run through
+  Box2 box;                      ///< of the outline
+};
+
+/// The pieces' shapes as a motion (y up) puts them on the canvas.
+void add_to_area(TiledArea& area, const PieceShape& piece, const Rigid2& turn);
+
+/// How far a mark reaches between two levels along the other axis (0: x); empty (low > high) where it has
+/// nothing there.
+Span reach_of(const NetMark& mark, int axis, Span between);
+
+struct Tiling {
+  struct Tile {
+    int row = 0;
+    int column = 0;     ///< counted in its row: columns need not lie below each other
+    Box2 share;         ///< what only this sheet answers for: up to its seams, or to where there is no paper
+    Box2 shown;         ///< half an overlap more on every side, as far as the window reaches
+    glm::dvec2 origin;  ///< the corner of its window
+  };
+  std::vector<Tile> tiles;  ///< row by row, each from left to right
+  int n_rows = 0;
+  std::vector<Segment> seams;  ///< the lines along which sheets are joined
+  int n_cut_marks = 0;         ///< how often a seam runs through a mark
+};
+
+/// Rows, and in each of them sheets where that row has paper, each with seams of its own.
+Tiling tile_area(const TiledArea& area, glm::dvec2 window, double overlap);
+
+/// Fewer sheets and marks cut, as kMarksPerSheet weighs them.
+bool is_better(const Tiling& a, const Tiling& b);
 
 /// "A1" is the first row and column; after row Z comes AA.
 std::string tile_tag(int row, int column);

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -16,8 +15,8 @@
 #include "core/mesh/read.h"
 #include "core/project/make_model.h"
 #include "core/sheet/pages.h"
-#include "core/sheet/tile_seams.h"
 #include "core/solve/solve.h"
+#include "tests/fixed_grid.h"
 
 namespace netwright {
 namespace {
@@ -25,48 +24,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kHeight_mm = 300;
-constexpr double kOverlap_mm = 10;
-
 struct Count {
   std::size_t n_sheets = 0;
   long n_cut = 0;
 };
-
-Count on_a_fixed_grid(const PieceShape& piece, const PageFrame& frame) {
-  const glm::dvec2 room = frame.net.size();
-  Count best{std::numeric_limits<std::size_t>::max(), 0};
-  double least_fill = 0;
-  for (int k = 0; k < 60; ++k) {
-    const double angle = k * std::numbers::pi / 60;
-    const Box2 box = turned_box(piece.hull, angle);
-    const auto [columns, rows] = tiles_for(box.size(), room, kOverlap_mm);
-    const glm::dvec2 canvas = glm::dvec2(columns, rows) * (room - kOverlap_mm) + kOverlap_mm;
-    Rigid2 turn = Rigid2::rotation(angle);
-    turn.x = (canvas.x - box.size().x) / 2 - box.min.x;
-    turn.y = -(canvas.y - box.size().y) / 2 - box.max.y;
-    TiledArea area;
-    add_to_area(area, piece, turn);
-    const Tiling tiling = even_tiling(area, room, kOverlap_mm, columns, rows);
-    const double fill = std::max(box.size().x / canvas.x, box.size().y / canvas.y);
-    if (std::pair(tiling.n_sheets, fill) >= std::pair(best.n_sheets, least_fill)) continue;
-    best = {tiling.n_sheets, tiling.n_cut_marks};
-    least_fill = fill;
-  }
-  return best;
-}
-
-Count as_laid_out(const PieceShapes& shapes, const PageLayout& layout) {
-  Count count{layout.pages.size(), 0};
-  TiledArea area;
-  add_to_area(area, shapes.pieces.front(), layout.pieces.front().turn);
-  for (const Box2& mark : area.marks) {
-    for (const double x : layout.canvases.front().column_seams)
-      count.n_cut += mark.min.x < x && x < mark.max.x ? 1 : 0;
-    for (const double y : layout.canvases.front().row_seams)
-      count.n_cut += mark.min.y < y && y < mark.max.y ? 1 : 0;
-  }
-  return count;
-}
 
 struct Totals {
   std::size_t n_models = 0;
@@ -87,12 +48,9 @@ void measure(const fs::path& file, bool tells_each, Totals& totals) {
   totals.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   if (layout.pages.size() < 2) return;
   const PieceShapes shapes = piece_shapes(result.net, layout.scale, layout.tabs);
-  Count fixed{std::numeric_limits<std::size_t>::max(), 0};
-  for (const PageFrame& frame : possible_frames({})) {
-    const Count count = on_a_fixed_grid(shapes.pieces.front(), frame);
-    if (count.n_sheets < fixed.n_sheets) fixed = count;
-  }
-  const Count moved = as_laid_out(shapes, layout);
+  const testing::FixedGrid grid = testing::on_a_fixed_grid(shapes.pieces.front(), possible_frames({}));
+  const Count fixed{grid.n_sheets, grid.n_cut_marks};
+  const Count moved{layout.pages.size(), testing::marks_cut(shapes, layout)};
   if (tells_each)
     std::printf("%-40s fixed %3zu sheets %5ld cut   moved %3zu sheets %5ld cut\n", file.filename().c_str(),
                 fixed.n_sheets, fixed.n_cut, moved.n_sheets, moved.n_cut);
