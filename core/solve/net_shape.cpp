@@ -19,6 +19,24 @@ double distance_to(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
   return glm::distance(p, a + t * along);
 }
 
+// Calls visit(place) for the corners of the net. A convex face has its corners in the order of its sides: of
+// those on the fold towards its parent the parent tells, or the parent's parent.
+template <class Visit>
+void visit_corners(const SearchState& state, Visit&& visit) {
+  const SearchModel& m = state.model();
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  for (int f = 0; f < m.n_faces; ++f) {
+    const int first = m.first_vert(f);
+    const int n = m.last_vert(f) - first;
+    const bool is_convex = m.part_begin[at(f) + 1] - m.part_begin[at(f)] == 1 &&
+                           n == m.face_begin[at(f) + 1] - m.face_begin[at(f)];
+    const int up = is_convex ? state.up(f) : -1;
+    const int begin = up < 0 ? 0 : up - m.face_begin[at(f)] + 2;
+    const int n_own = up < 0 ? n : n - 2;
+    for (int i = begin; i < begin + n_own; ++i) visit(state.placed(first + (i < n ? i : i - n)));
+  }
+}
+
 }  // namespace
 
 Supports::Supports(const SearchState& state) {
@@ -32,15 +50,13 @@ Supports::Supports(const SearchState& state) {
   }
   high.fill(-std::numeric_limits<double>::infinity());
   low.fill(std::numeric_limits<double>::infinity());
-  const auto n = static_cast<int>(state.model().verts.size());
-  for (int v = 0; v < n; ++v) {
-    const glm::dvec2 p = state.placed(v);
+  visit_corners(state, [&](glm::dvec2 p) {
     for (std::size_t k = 0; k < kDirections; ++k) {
       const double reach = cos[k] * p.x + sin[k] * p.y;
       high[k] = std::max(high[k], reach);
       low[k] = std::min(low[k], reach);
     }
-  }
+  });
   for (std::size_t k = 0; k < kDirections; ++k) {
     reach_[k] = high[k];
     reach_[k + kDirections] = -low[k];
