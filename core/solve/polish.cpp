@@ -19,8 +19,8 @@ constexpr double kCold = 0.001;
 constexpr double kUsualFaces = 400;
 
 constexpr int kMostTries = 4;              ///< exchanges for one cut that are asked for overlaps
-constexpr double kWorkOfSecond = 800'000;  ///< tests for overlaps, as a two-core x86-64 machine does them
-constexpr double kWorkPerFace = 4'000;     ///< small models are done sooner
+constexpr double kWorkOfSecond = 920'000;  ///< tests for overlaps, as a two-core x86-64 machine does them
+constexpr double kWorkPerFace = 4'600;     ///< small models are done sooner
 constexpr double kFacesPerTest = 60;       ///< making an exchange costs as much as testing one per so many
 constexpr double kStepsPerTest = 40;       ///< folds on a loop that take as long to look at as one test
 constexpr int kRounds = 16;                ///< in an effort of 1
