@@ -82,7 +82,7 @@ PolishFigures polish_figures(const Net& net) {
   return figures;
 }
 
-std::string polish_line(const SolveResult& result) {
+std::string polish_line(const SolveResult& result, const PolishSettings& settings) {
   if (!result.polished) return {};
   const PolishReport& report = *result.polished;
   const PolishFigures before = polish_figures(layout(result.net.dual, report.first));
@@ -94,12 +94,9 @@ std::string polish_line(const SolveResult& result) {
   std::string line = "Polished: cuts " + change + " · hull " + percent(after.hull_fill) + " filled (" +
                      percent(before.hull_fill) + ") · " + counted(report.necks_after, "neck", "necks") +
                      " under 3 mm (" + grouped(report.necks_before) + ")";
-  if (report.size_after > 1) {
-    char text[96];
-    std::snprintf(text, sizeof text, " · %.0f %% too large for the page (%.0f %%)",
-                  100 * (report.size_after - 1), 100 * (report.size_before - 1));
-    line += text;
-  }
+  std::string unmet;
+  for (const std::string& wish : unmet_wishes(report, settings)) unmet += (unmet.empty() ? "" : ", ") + wish;
+  if (!unmet.empty()) line += "\nNot met: " + unmet + ".";
   return line;
 }
 

@@ -25,8 +25,8 @@ struct PolishFigures {
 PolishFigures polish_figures(const Net& net);
 
 /// "Polished: cuts 16 % shorter, hull 61 % filled (38 %), 0 necks under 3 mm (4)". Empty when nothing was
-/// polished. A page that was to be fit and was not is named.
-std::string polish_line(const SolveResult& result);
+/// polished. A second line names what was asked for and not reached, see unmet_wishes().
+std::string polish_line(const SolveResult& result, const PolishSettings& settings);
 Json polish_json(const SolveResult& result);
 
 }  // namespace netwright

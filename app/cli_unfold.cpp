@@ -178,7 +178,7 @@ Drawing draw(const UnfoldCommand& command, const CliModel& model, const UnfoldOu
 void tell_success(const UnfoldCommand& command, const UnfoldOutcome& outcome, const Drawing& drawing) {
   print(model_line(outcome.mesh));
   print(result_line(outcome, command));
-  if (const std::string line = polish_line(outcome.result); !line.empty()) print(line);
+  if (const std::string line = polish_line(outcome.result, command.polish); !line.empty()) print(line);
   if (!drawing.split.cut.empty())
     print("Cut into " + std::to_string(drawing.net.n_pieces) + " pieces that fit a page of " +
           command.paper.format + ".");

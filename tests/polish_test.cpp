@@ -261,11 +261,36 @@ TEST(Polish, BringsTheRootToTheMiddle) {
   double left_alone = 0;
   for (const FaceId face : {FaceId(7), FaceId(70), FaceId(150)}) {  // one may happen to lie in the middle
     const double off = distance(face, 3);
-    EXPECT_LT(off, 0.08);
+    EXPECT_LT(off, 0.15) << "this box is not quite the one that polish looks at";
     asked += off;
     left_alone += distance(face, 0);
   }
-  EXPECT_LT(asked, left_alone);
+  EXPECT_LT(asked, left_alone / 2);
+}
+
+TEST(Polish, TellsWhichWishesAreNotMet) {
+  const PolishSettings asked{.fits_paper = 1, .root_in_middle = 1};
+  PolishReport report;
+  report.size_after = 1;
+  EXPECT_TRUE(unmet_wishes(report, asked).empty());
+  report.size_after = 1.115;
+  report.necks_after = 1;
+  report.root_off = 0.3;
+  const std::vector<std::string> all = {"12 % too large for the page", "1 neck under 3 mm",
+                                        "the root is off the middle"};
+  EXPECT_EQ(unmet_wishes(report, asked), all);
+  EXPECT_TRUE(unmet_wishes(report, {.few_necks = 0}).empty()) << "what was not asked for is not missed";
+}
+
+TEST(Polish, MissesAPageThatNoNetFits) {
+  SolveOptions options = polished({.effort = 0.05, .fits_paper = 1});
+  options.polish->scale = [](const Net&) { return 100.0; };
+  options.polish->rooms_mm = {{20, 20}};
+  const SolveResult result = solved(make_dual(shapes::icosphere(2)), options);
+  ASSERT_TRUE(result.is_proved);
+  const std::vector<std::string> unmet = unmet_wishes(*result.polished, options.polish->settings);
+  ASSERT_FALSE(unmet.empty());
+  EXPECT_TRUE(unmet.front().ends_with(" % too large for the page")) << unmet.front();
 }
 
 TEST(Polish, HidesCutsWhereTheyAreNotSeen) {

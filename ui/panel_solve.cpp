@@ -90,6 +90,15 @@ void chart_header(const UiState& ui, const char* title, const std::string& summa
   ImGui::PopFont();
 }
 
+void unmet_line(const UiState& ui, const std::vector<std::string>& wishes) {
+  if (wishes.empty()) return;
+  std::string unmet;
+  for (const std::string& wish : wishes) unmet += (unmet.empty() ? "" : ", ") + wish;
+  ImGui::PushTextWrapPos(ImGui::GetWindowContentRegionMax().x - ui.look.px(16));
+  text_muted(ui, "Not met: " + unmet + ".");
+  ImGui::PopTextWrapPos();
+}
+
 }  // namespace
 
 void panel_solve(UiContext& context) {
@@ -114,6 +123,7 @@ void panel_solve(UiContext& context) {
   if (figures.polish_stations.empty()) return;
   chart_header(ui, "Polish", "% of the first net");
   polish_chart(ui, figures, is_running);
+  if (!is_running) unmet_line(ui, figures.unmet_wishes);
 }
 
 }  // namespace netwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/solve/snapshot.h"
@@ -24,6 +25,7 @@ struct RunFigures {
   double polish_fraction = 0;        ///< of the work that polish may do
   std::vector<double> polish_costs;  ///< what was left to wish for, see PolishView; empty before polish
   std::vector<PolishStation> polish_stations;  ///< for the chart
+  std::vector<std::string> unmet_wishes;       ///< see aims.h; known when the run has ended
   double at_polish = -1;  ///< the moment of polish that is looked at, as a fraction; -1 = none
   std::int64_t at_move =
       -1;  ///< the moment of the history that is looked at, in moves from its start; -1 = none

@@ -257,6 +257,8 @@ void Session::Impl::finish_run(const SearchRun::Outcome& outcome) {
   last_figures->seconds = summary.seconds;
   if (summary.seconds > 0)
     last_figures->moves_per_second = static_cast<double>(summary.moves) / summary.seconds;
+  if (result.polished && ended->options().polish)
+    last_figures->unmet_wishes = unmet_wishes(*result.polished, ended->options().polish->settings);
   // A search that was told to stop while it waited had not shown its last moves: the log has them all.
   if (outcome.log) {
     last_figures->history = outcome.log->history(kMostChartValues, last_figures->history_stride);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <glm/vec2.hpp>
+#include <string>
 #include <vector>
 
 #include "core/unfold/net.h"
@@ -42,6 +43,14 @@ struct PolishReport {
   /// How much too large for the room, as a factor on lengths: 1 or less fits. 0 when that was not asked.
   double size_before = 0;
   double size_after = 0;
+  /// How far the root is from the middle, in sides of a square as large as the net. 0 when that was not
+  /// asked.
+  double root_off = 0;
 };
+
+/// What was asked for and could be had in full, but is not there: "12 % too large for the page", "3 necks
+/// under 3 mm", "the root is off the middle". Short cuts and a compact net are never done: there is always
+/// less.
+std::vector<std::string> unmet_wishes(const PolishReport& report, const PolishSettings& settings);
 
 }  // namespace netwright

@@ -92,12 +92,14 @@ void Finish::tell_what_is_left() {
   PolishReport& report = *result_->polished;
   report.necks_after = 0;
   report.size_after = 0;
+  report.root_off = 0;
   for (std::size_t c = 0; c < models_->size(); ++c) {
     SearchState state((*models_)[c], kSolveDepth);
     state.set_tree(folds_of(c));
     const NetCosts costs = NetCost(*dual_, (*models_)[c], state, task_of(c)).measure();
     report.necks_after += costs.necks;
     report.size_after = std::max(report.size_after, costs.size);
+    report.root_off = std::max(report.root_off, costs.root);
   }
 }
 
