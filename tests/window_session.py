@@ -117,6 +117,23 @@ class Editor:
     def point(self, x, y):
         self.xdotool("mousemove", x, y)
 
+    def into_view(self, name, state="on"):
+        """Turns the wheel over the panel at the left until the widget is between the toolbar and the status bar."""
+        top, bottom = 120, 880
+        for _ in range(60):
+            x, y = self.widget(name, state)
+            if top < y < bottom:
+                return x, y
+            self.point(5, 500)
+            self.xdotool("click", 5 if y >= bottom else 4)
+            time.sleep(0.2)
+        fail(f"{name} does not come into view")
+
+    def click_in_panel(self, name):
+        self.point(*self.into_view(name))
+        time.sleep(0.15)
+        self.press()
+
     def click(self, name):
         self.point(*self.widget(name))
         time.sleep(0.15)
@@ -197,10 +214,10 @@ def compare_runs(editor):
     editor.make_step("the net of the second run", lambda: editor.key("n"))
     editor.await_net()
     for run, state in (("runs/1", "on"), ("runs/2", "off"), ("runs/1", "on")):
-        editor.click(run)
+        editor.click_in_panel(run)
         editor.await_title("run " + run[-1])
         editor.widget("runs/accept", state)
-    editor.make_step("the accepted run", lambda: editor.click("runs/accept"))
+    editor.make_step("the accepted run", lambda: editor.click_in_panel("runs/accept"))
     editor.widget("runs/accept", "off")
 
 
